@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @file ContourSetBuilder.h
+ * @brief From contours as they arrive to a ContourSet that the methods can trust.
+ */
+#ifndef recon_ContourSetBuilder_h
+#define recon_ContourSetBuilder_h
+
+#include "../Monitor.h"
+#include "ContourSet.h"
+
+namespace recon
+{
+struct ContourSetOptions
+{
+  /// true: one common normal is wanted (PSM); contours of other planes are left out with a line in Report.
+  /// false: planes of any orientation (ISM); each plane becomes a level with a frame of its own.
+  bool Parallel = true;
+  /// Points closer than this fraction of the bounding box's diagonal count as one plane's.
+  double PlaneTolerance = 1e-5;
+};
+
+/**
+ * Chain, close, clean, resolve and nest (thesis 2.1 and 3.1).
+ *
+ * @throws Error where not one usable contour is left; the sentence says why.
+ */
+ContourSet BuildContourSet(const LoopSoup& soup, const ContourSetOptions& options, Monitor& monitor);
+}
+
+#endif

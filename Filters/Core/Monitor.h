@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @file Monitor.h
+ * @brief How the core reports progress, is asked to stop, and says what went wrong.
+ */
+#ifndef recon_Monitor_h
+#define recon_Monitor_h
+
+#include <stdexcept>
+#include <string>
+
+namespace recon
+{
+/// Input that cannot be worked with. what() is one sentence: what, where, what to do.
+class Error : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Thrown by Monitor::Update where the user asked to stop; carries no message on purpose.
+class Aborted : public std::exception
+{
+public:
+  const char* what() const noexcept override { return "aborted"; }
+};
+
+/**
+ * Progress and abort, called from the thread that called the core and from no other.
+ *
+ * Long loops call Update every few milliseconds. The default does nothing.
+ */
+class Monitor
+{
+public:
+  virtual ~Monitor() = default;
+
+  /// fraction in [0, 1] of the whole call, stage a short present participle ("triangulating levels").
+  /// @throws Aborted where AbortRequested().
+  void Update(double fraction, const char* stage)
+  {
+    this->OnProgress(fraction, stage);
+    if (this->AbortRequested())
+    {
+      throw Aborted();
+    }
+  }
+
+  virtual bool AbortRequested() { return false; }
+
+protected:
+  virtual void OnProgress(double, const char*) {}
+};
+}
+
+#endif
