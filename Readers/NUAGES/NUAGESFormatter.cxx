@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "NUAGESFormatter.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+
+namespace recon
+{
+namespace
+{
+constexpr double PlaneTolerance = 1e-6;
+
+struct Loop
+{
+  std::vector<int> Points;
+  double Z = 0;
+  int Number = 0; ///< among the input's chains
+};
+
+/// A point for messages, short; the file gets Append's full precision.
+std::string Shown(const Point3& p)
+{
+  char text[96];
+  std::snprintf(text, sizeof(text), "(%g, %g, %g)", p[0], p[1], p[2]);
+  return text;
+}
+
+void Append(std::string& text, double value)
+{
+  char digits[32];
+  const auto result = std::to_chars(digits, digits + sizeof(digits), value);
+  text.append(digits, result.ptr);
+}
+
+double Diagonal(const LoopSoup& soup)
+{
+  if (soup.Points.empty())
+  {
+    return 0;
+  }
+  Point3 low = soup.Points.front();
+  Point3 high = low;
+  for (const Point3& p : soup.Points)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      low[i] = std::min(low[i], p[i]);
+      high[i] = std::max(high[i], p[i]);
+    }
+  }
+  return Norm(high - low);
+}
+
+Loop CheckedLoop(const LoopSoup& soup, int number, double tolerance)
+{
+  const LoopSoup::Chain& chain = soup.Chains[number];
+  const std::string name = "Cannot write contour " + std::to_string(number) + ": ";
+  if (!chain.Closed)
+  {
+    throw Error(name + "it is open, and NUAGES files hold closed contours only.");
+  }
+  if (chain.Points.empty())
+  {
+    throw Error(name + "it has no points.");
+  }
+  Loop loop{ chain.Points, soup.Points[chain.Points.front()][2], number };
+  for (const int point : loop.Points)
+  {
+    const Point3& p = soup.Points[point];
+    if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
+    {
+      throw Error(name + "it has a coordinate that is no finite number.");
+    }
+    if (std::abs(p[2] - loop.Z) > tolerance)
+    {
+      throw Error(name + "its plane is not perpendicular to z (it runs through " +
+        Shown(soup.Points[loop.Points.front()]) + " and " + Shown(p) +
+        "); rotate the contours with the Transform filter first.");
+    }
+  }
+  while (
+    loop.Points.size() > 1 && soup.Points[loop.Points.back()] == soup.Points[loop.Points.front()])
+  {
+    loop.Points.pop_back();
+  }
+  return loop;
+}
+
+bool IsExactlyAt(const LoopSoup& soup, const Loop& loop, double z)
+{
+  return std::all_of(
+    loop.Points.begin(), loop.Points.end(), [&](int point) { return soup.Points[point][2] == z; });
+}
+
+void WriteWhole(const std::string& fileName, const std::string& text)
+{
+  std::ofstream file(fileName, std::ios::binary | std::ios::trunc);
+  if (!file)
+  {
+    throw Error("Cannot write " + fileName + ": it cannot be opened for writing.");
+  }
+  file.write(text.data(), static_cast<std::streamsize>(text.size()));
+  file.close();
+  if (!file)
+  {
+    std::error_code ignored;
+    std::filesystem::remove(fileName, ignored);
+    throw Error("Cannot write " + fileName + ": the disk may be full.");
+  }
+}
+
+class Formatter
+{
+public:
+  Formatter(const LoopSoup& soup, Monitor& monitor)
+    : Soup(soup),
+      Progress(monitor),
+      Tolerance(PlaneTolerance * Diagonal(soup))
+  {
+  }
+
+  std::string Format()
+  {
+    const int count = static_cast<int>(this->Soup.Chains.size());
+    for (int i = 0; i < count; ++i)
+    {
+      this->Loops.push_back(CheckedLoop(this->Soup, i, this->Tolerance));
+    }
+    std::stable_sort(this->Loops.begin(), this->Loops.end(),
+      [](const Loop& a, const Loop& b) { return a.Z < b.Z; });
+    const std::vector<std::size_t> starts = this->SectionStarts();
+    this->Text = "S " + std::to_string(starts.size() - 1) + "\n";
+    for (std::size_t s = 0; s + 1 < starts.size(); ++s)
+    {
+      this->AppendSection(starts[s], starts[s + 1]);
+      this->Progress.Update(
+        static_cast<double>(s + 1) / static_cast<double>(starts.size()), "writing sections");
+    }
+    return std::move(this->Text);
+  }
+
+  std::vector<std::string> Report;
+
+private:
+  std::vector<std::size_t> SectionStarts() const
+  {
+    std::vector<std::size_t> starts;
+    for (std::size_t i = 0; i < this->Loops.size(); ++i)
+    {
+      if (starts.empty() || this->Loops[i].Z - this->Loops[starts.back()].Z > this->Tolerance)
+      {
+        starts.push_back(i);
+      }
+    }
+    starts.push_back(this->Loops.size());
+    return starts;
+  }
+
+  void AppendSection(std::size_t begin, std::size_t end)
+  {
+    const double z = this->Loops[begin].Z;
+    // Within a section the order of the input, not that of rounding errors in z.
+    std::sort(this->Loops.begin() + static_cast<std::ptrdiff_t>(begin),
+      this->Loops.begin() + static_cast<std::ptrdiff_t>(end),
+      [](const Loop& a, const Loop& b) { return a.Number < b.Number; });
+    std::size_t vertices = 0;
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      vertices += this->Loops[i].Points.size();
+    }
+    this->Text += "v " + std::to_string(vertices) + " z ";
+    Append(this->Text, z);
+    this->Text += '\n';
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      this->AppendLoop(this->Loops[i], z);
+    }
+  }
+
+  void AppendLoop(const Loop& loop, double z)
+  {
+    if (!IsExactlyAt(this->Soup, loop, z))
+    {
+      this->Report.push_back("Contour " + std::to_string(loop.Number) +
+        ": its points are not all at one z; they were moved by less than " +
+        "a millionth of the size of the data, to that of their section.");
+    }
+    this->Text += "{\n";
+    for (const int point : loop.Points)
+    {
+      Append(this->Text, this->Soup.Points[point][0]);
+      this->Text += ' ';
+      Append(this->Text, this->Soup.Points[point][1]);
+      this->Text += '\n';
+    }
+    this->Text += "}\n";
+  }
+
+  const LoopSoup& Soup;
+  Monitor& Progress;
+  double Tolerance;
+  std::vector<Loop> Loops;
+  std::string Text;
+};
+}
+
+std::vector<std::string> WriteNUAGES(
+  const std::string& fileName, const LoopSoup& loops, Monitor& monitor)
+{
+  Formatter formatter(loops, monitor);
+  WriteWhole(fileName, formatter.Format());
+  return formatter.Report;
+}
+}
