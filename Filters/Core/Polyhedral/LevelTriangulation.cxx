@@ -1,0 +1,410 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "LevelTriangulation.h"
+
+#include "../Monitor.h"
+#include "PolyhedralSurface.h"
+
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Triangulation_conformer_2.h>
+#include <CGAL/Triangulation_face_base_with_info_2.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+#include <CGAL/spatial_sort.h>
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <limits>
+#include <map>
+#include <string>
+
+namespace recon
+{
+namespace
+{
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+
+/// Points that the refinement makes lie on contour edges, so that is what a new vertex is.
+struct VertexInfo
+{
+  int Source = -1;
+  int Index = -1;
+  unsigned char Kind = PolyhedralSurface::AddedOnContour;
+  unsigned char AskedBy = 0;
+};
+
+struct FaceInfo
+{
+  int Index = -1;
+  bool Inside = false;
+  std::array<int, 3> EdgeContour{ { -1, -1, -1 } };
+};
+
+using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<VertexInfo, Kernel>;
+using FaceBase0 = CGAL::Constrained_triangulation_face_base_2<Kernel>;
+using FaceBase = CGAL::Triangulation_face_base_with_info_2<FaceInfo, Kernel, FaceBase0>;
+using Structure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
+using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure>;
+using VertexHandle = Triangulation::Vertex_handle;
+using FaceHandle = Triangulation::Face_handle;
+using Edge = Triangulation::Edge;
+
+/// Circumcentres of cocircular points differ by rounding only: nearer than this share of the level's
+/// diagonal they are one point.
+constexpr double NearestPoints = 1e-7;
+
+Point2 FromCGAL(const Kernel::Point_2& p)
+{
+  return { p.x(), p.y() };
+}
+
+bool IsContourEdge(const Edge& edge)
+{
+  return edge.first->is_constrained(edge.second);
+}
+
+/// The circle with the edge as diameter holds p, or p is on it.
+bool Encroaches(const Kernel::Point_2& p, const Edge& edge)
+{
+  const auto& a = edge.first->vertex(Triangulation::cw(edge.second))->point();
+  const auto& b = edge.first->vertex(Triangulation::ccw(edge.second))->point();
+  return CGAL::side_of_bounded_circle(a, b, p) != CGAL::ON_UNBOUNDED_SIDE;
+}
+}
+
+struct LevelTriangulator::Implementation
+{
+  const ContourSet& Contours;
+  const Level& OfLevel;
+  Triangulation Delaunay;
+  double Diagonal = 0;
+
+  Implementation(const ContourSet& contours, int level)
+    : Contours(contours)
+    , OfLevel(contours.Levels[level])
+  {
+  }
+
+  std::vector<VertexHandle> InsertContourVertices();
+  void InsertContourEdges(const std::vector<VertexHandle>& vertexOf);
+  void ClassifyFaces();
+  void LabelContourEdges(const std::vector<VertexHandle>& vertexOf);
+  void LabelChain(VertexHandle from, VertexHandle to, int contour);
+  bool MayInsert(const Kernel::Point_2& p, FaceHandle hint, FaceHandle& where, VertexHandle& twin) const;
+
+  std::vector<VertexHandle> VertexOf; ///< by index into ContourSet::Points
+};
+
+std::vector<VertexHandle> LevelTriangulator::Implementation::InsertContourVertices()
+{
+  std::vector<std::pair<Kernel::Point_2, VertexInfo>> points;
+  CGAL::Bbox_2 box;
+  for (int c : this->OfLevel.Contours)
+  {
+    for (int p : this->Contours.Contours[c].Points)
+    {
+      VertexInfo info;
+      info.Source = p;
+      info.Kind = PolyhedralSurface::InputVertex;
+      points.emplace_back(
+        Kernel::Point_2(this->Contours.Planar[p][0], this->Contours.Planar[p][1]), info);
+      box += points.back().first.bbox();
+    }
+  }
+  this->Diagonal = std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin());
+  this->Delaunay.insert(points.begin(), points.end());
+
+  std::vector<VertexHandle> vertexOf(this->Contours.Points.size());
+  for (auto v : this->Delaunay.finite_vertex_handles())
+  {
+    vertexOf[v->info().Source] = v;
+  }
+  return vertexOf;
+}
+
+void LevelTriangulator::Implementation::InsertContourEdges(const std::vector<VertexHandle>& vertexOf)
+{
+  for (int c : this->OfLevel.Contours)
+  {
+    const auto& points = this->Contours.Contours[c].Points;
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+      const VertexHandle a = vertexOf[points[i]];
+      const VertexHandle b = vertexOf[points[(i + 1) % points.size()]];
+      // Two points of a level with equal coordinates would leave one without a vertex.
+      if (a == VertexHandle() || b == VertexHandle())
+      {
+        throw Error("Level at offset " + std::to_string(this->OfLevel.Offset) +
+          ": two contour points have the same place; clean the contours with Contour Hierarchy.");
+      }
+      this->Delaunay.insert_constraint(a, b);
+    }
+  }
+}
+
+/// Even-odd: crossing a contour edge changes the side; the infinite faces are outside.
+void LevelTriangulator::Implementation::ClassifyFaces()
+{
+  for (auto f : this->Delaunay.all_face_handles())
+  {
+    f->info().Index = -1;
+  }
+  std::deque<FaceHandle> front{ this->Delaunay.infinite_face() };
+  front.front()->info().Index = 0;
+  front.front()->info().Inside = false;
+  while (!front.empty())
+  {
+    const FaceHandle f = front.front();
+    front.pop_front();
+    for (int k = 0; k < 3; ++k)
+    {
+      const FaceHandle n = f->neighbor(k);
+      if (n->info().Index < 0)
+      {
+        n->info().Index = 0;
+        n->info().Inside = f->info().Inside != f->is_constrained(k);
+        front.push_back(n);
+      }
+    }
+  }
+}
+
+void LevelTriangulator::Implementation::LabelContourEdges(const std::vector<VertexHandle>& vertexOf)
+{
+  for (auto f : this->Delaunay.all_face_handles())
+  {
+    f->info().EdgeContour = { { -1, -1, -1 } };
+  }
+  for (int c : this->OfLevel.Contours)
+  {
+    const auto& points = this->Contours.Contours[c].Points;
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+      this->LabelChain(vertexOf[points[i]], vertexOf[points[(i + 1) % points.size()]], c);
+    }
+  }
+}
+
+/// Name the pieces into which the contour edge from-to was cut. Points added on a contour edge have
+/// exactly two contour edges, so a chain that leaves `from` can be followed to the next contour vertex.
+void LevelTriangulator::Implementation::LabelChain(VertexHandle from, VertexHandle to, int contour)
+{
+  auto start = this->Delaunay.incident_edges(from);
+  const auto end = start;
+  do
+  {
+    if (this->Delaunay.is_infinite(start) || !IsContourEdge(*start))
+    {
+      continue;
+    }
+    std::vector<Edge> chain{ *start };
+    VertexHandle previous = from;
+    VertexHandle current = start->first->vertex(Triangulation::ccw(start->second));
+    if (current == from)
+    {
+      current = start->first->vertex(Triangulation::cw(start->second));
+    }
+    while (current->info().Kind == PolyhedralSurface::AddedOnContour)
+    {
+      auto next = this->Delaunay.incident_edges(current);
+      VertexHandle other;
+      for (;; ++next)
+      {
+        if (this->Delaunay.is_infinite(next) || !IsContourEdge(*next))
+        {
+          continue;
+        }
+        other = next->first->vertex(Triangulation::ccw(next->second));
+        other = other == current ? next->first->vertex(Triangulation::cw(next->second)) : other;
+        if (other != previous)
+        {
+          break;
+        }
+      }
+      chain.push_back(*next);
+      previous = current;
+      current = other;
+    }
+    if (current != to)
+    {
+      continue;
+    }
+    for (const Edge& edge : chain)
+    {
+      const Edge mirror = this->Delaunay.mirror_edge(edge);
+      edge.first->info().EdgeContour[edge.second] = contour;
+      mirror.first->info().EdgeContour[mirror.second] = contour;
+    }
+    return;
+  } while (++start != end);
+}
+
+/**
+ * p lies in IR, on no other vertex, and in no contour edge's diametral circle.
+ *
+ * `where` is the face that holds p, `twin` an internal point that p repeats within rounding, if any.
+ */
+bool LevelTriangulator::Implementation::MayInsert(
+  const Kernel::Point_2& p, FaceHandle hint, FaceHandle& where, VertexHandle& twin) const
+{
+  Triangulation::Locate_type type;
+  int index = 0;
+  where = this->Delaunay.locate(p, type, index, hint);
+  if (this->Delaunay.is_infinite(where) || !where->info().Inside)
+  {
+    return false;
+  }
+  if (type == Triangulation::VERTEX)
+  {
+    twin = where->vertex(index);
+    return false;
+  }
+  std::vector<FaceHandle> conflicts;
+  this->Delaunay.get_conflicts(p, std::back_inserter(conflicts), where);
+  const double nearest = NearestPoints * this->Diagonal;
+  for (FaceHandle f : conflicts)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      if (CGAL::squared_distance(f->vertex(k)->point(), p) < nearest * nearest)
+      {
+        twin = f->vertex(k);
+        return false;
+      }
+      // A contour edge that p encroaches upon always faces p across a triangle in conflict.
+      if (f->is_constrained(k) && Encroaches(p, Edge(f, k)))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+LevelTriangulator::LevelTriangulator(const ContourSet& contours, int level)
+  : Impl(std::make_unique<Implementation>(contours, level))
+{
+  this->Impl->VertexOf = this->Impl->InsertContourVertices();
+  this->Impl->InsertContourEdges(this->Impl->VertexOf);
+  try
+  {
+    CGAL::make_conforming_Gabriel_2(this->Impl->Delaunay);
+  }
+  catch (const std::exception& failure)
+  {
+    throw Error("Level at offset " + std::to_string(this->Impl->OfLevel.Offset) +
+      ": the contours could not be refined to a conforming triangulation (" + failure.what() + ").");
+  }
+  this->Impl->ClassifyFaces();
+}
+
+LevelTriangulator::~LevelTriangulator() = default;
+LevelTriangulator::LevelTriangulator(LevelTriangulator&&) noexcept = default;
+LevelTriangulator& LevelTriangulator::operator=(LevelTriangulator&&) noexcept = default;
+
+std::vector<Point2> LevelTriangulator::ExternalVoronoiVertices() const
+{
+  std::vector<Point2> vertices;
+  for (auto f : this->Impl->Delaunay.finite_face_handles())
+  {
+    if (f->info().Inside)
+    {
+      continue;
+    }
+    const Point2 p = FromCGAL(this->Impl->Delaunay.circumcenter(f));
+    if (std::isfinite(p[0]) && std::isfinite(p[1]))
+    {
+      vertices.push_back(p);
+    }
+  }
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  return vertices;
+}
+
+void LevelTriangulator::AddInternalPoints(
+  const std::vector<Point2>& candidates, LevelTriangulation::AskedByType askedBy)
+{
+  auto& impl = *this->Impl;
+  std::vector<Kernel::Point_2> points;
+  for (const Point2& p : candidates)
+  {
+    points.emplace_back(p[0], p[1]);
+  }
+  CGAL::spatial_sort(points.begin(), points.end());
+  FaceHandle hint;
+  for (const auto& p : points)
+  {
+    FaceHandle where;
+    VertexHandle twin;
+    const bool insert = impl.MayInsert(p, hint, where, twin);
+    hint = where;
+    if (twin != VertexHandle() && twin->info().Kind == PolyhedralSurface::Internal)
+    {
+      twin->info().AskedBy = static_cast<unsigned char>(twin->info().AskedBy | askedBy);
+    }
+    if (!insert)
+    {
+      continue;
+    }
+    const VertexHandle v = impl.Delaunay.insert(p, where);
+    v->info().Kind = PolyhedralSurface::Internal;
+    v->info().AskedBy = static_cast<unsigned char>(v->info().AskedBy | askedBy);
+    auto star = impl.Delaunay.incident_faces(v);
+    const auto end = star;
+    do
+    {
+      star->info().Inside = true; // only triangles of IR are replaced
+    } while (++star != end);
+    hint = star;
+  }
+}
+
+LevelTriangulation LevelTriangulator::Finish() const
+{
+  auto& impl = *this->Impl;
+  impl.LabelContourEdges(impl.VertexOf);
+  LevelTriangulation out;
+  for (auto v : impl.Delaunay.finite_vertex_handles())
+  {
+    v->info().Index = static_cast<int>(out.Points.size());
+    out.Points.push_back(FromCGAL(v->point()));
+    out.Source.push_back(v->info().Source);
+    out.Kind.push_back(v->info().Kind);
+    out.AskedBy.push_back(v->info().AskedBy);
+  }
+  for (auto f : impl.Delaunay.all_face_handles())
+  {
+    f->info().Index = -1;
+  }
+  for (auto f : impl.Delaunay.finite_face_handles())
+  {
+    f->info().Index = static_cast<int>(out.Triangles.size());
+    out.Triangles.push_back(
+      { { f->vertex(0)->info().Index, f->vertex(1)->info().Index, f->vertex(2)->info().Index } });
+    out.EdgeContour.push_back(f->info().EdgeContour);
+    out.Inside.push_back(f->info().Inside ? 1 : 0);
+  }
+  out.StarTriangle.assign(out.Points.size(), -1);
+  for (auto f : impl.Delaunay.finite_face_handles())
+  {
+    std::array<int, 3> neighbours{};
+    for (int k = 0; k < 3; ++k)
+    {
+      neighbours[k] = f->neighbor(k)->info().Index;
+      out.StarTriangle[f->vertex(k)->info().Index] = f->info().Index;
+    }
+    out.Neighbours.push_back(neighbours);
+  }
+  return out;
+}
+
+Point2 LevelTriangulation::VoronoiVertex(int triangle) const
+{
+  const auto& t = this->Triangles[triangle];
+  const auto point = [&](int k) {
+    return Kernel::Point_2(this->Points[t[k]][0], this->Points[t[k]][1]);
+  };
+  return FromCGAL(CGAL::circumcenter(point(0), point(1), point(2)));
+}
+}

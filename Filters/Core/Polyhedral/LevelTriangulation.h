@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @file LevelTriangulation.h
+ * @brief The 2D Delaunay triangulation of one level and what its Voronoi diagram says.
+ *
+ * Notation (thesis chapter 5):
+ *   condition 0/1  every contour edge is an edge of the triangulation        (5.1, algorithm 4)
+ *   condition 2    no angle facing a contour edge is obtuse                  (5.2, algorithm 5)
+ *   IR, ER         triangles inside, outside the contours
+ *   EVS, IVS       external and internal Voronoi skeleton                    (5.3.1)
+ *   internal point vertex of a neighbouring level's EVS that lies in IR here (5.3, algorithm 6)
+ *
+ * In today's terms conditions 0-2 are a conforming Gabriel triangulation: the circle that has a
+ * contour edge as diameter holds no vertex inside.
+ */
+#ifndef recon_LevelTriangulation_h
+#define recon_LevelTriangulation_h
+
+#include "../Contours/ContourSet.h"
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace recon
+{
+/// The finished triangulation of a level. Coordinates are planar, in the frame of the level.
+struct LevelTriangulation
+{
+  enum AskedByType
+  {
+    LevelBelow = 1,
+    LevelAbove = 2
+  };
+
+  std::vector<Point2> Points;
+  std::vector<int> Source;            ///< index into ContourSet::Points, or -1 for an added point
+  std::vector<unsigned char> Kind;    ///< PolyhedralSurface::PointKindType
+  std::vector<unsigned char> AskedBy; ///< of an internal point: AskedByType bits
+  std::vector<std::array<int, 3>> Triangles;   ///< counterclockwise
+  std::vector<std::array<int, 3>> Neighbours;  ///< k: across the edge opposite corner k, or -1
+  std::vector<std::array<int, 3>> EdgeContour; ///< k: contour of that edge, or -1
+  std::vector<unsigned char> Inside;           ///< triangle belongs to IR
+  std::vector<int> StarTriangle;               ///< of a point: one triangle that has it as a corner
+
+  /// Planar position of the k-th Voronoi vertex (circumcentre of triangle k), rounded.
+  Point2 VoronoiVertex(int triangle) const;
+};
+
+/**
+ * Builds the triangulation of a level in the two steps of the method: first contours and
+ * conditions 0-2, then, once the neighbours' skeletons are known, internal points.
+ */
+class LevelTriangulator
+{
+public:
+  /// Algorithms 4 and 5. @throws Error where CGAL cannot refine (named with the level's offset).
+  LevelTriangulator(const ContourSet& contours, int level);
+  ~LevelTriangulator();
+  LevelTriangulator(LevelTriangulator&&) noexcept;
+  LevelTriangulator& operator=(LevelTriangulator&&) noexcept;
+
+  /// Vertices of the external Voronoi skeleton, rounded; without repetitions, in a fixed order.
+  std::vector<Point2> ExternalVoronoiVertices() const;
+
+  /**
+   * Algorithm 6: insert those candidates that lie in IR.
+   *
+   * A candidate in the diametral circle of a contour edge is left out, so that conditions 0-2 stay
+   * true without a second pass; so is one that lies on another point within rounding.
+   */
+  void AddInternalPoints(
+    const std::vector<Point2>& candidates, LevelTriangulation::AskedByType askedBy);
+
+  LevelTriangulation Finish() const;
+
+private:
+  struct Implementation;
+  std::unique_ptr<Implementation> Impl;
+};
+}
+
+#endif

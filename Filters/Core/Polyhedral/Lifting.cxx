@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Lifting.h"
+
+#include "PolyhedralSurface.h"
+
+#include <CGAL/AABB_segment_primitive.h>
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace recon
+{
+namespace
+{
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+
+/// A tetrahedron may be flattened to this share of its volume, so that rounding of the result in a tilted
+/// frame cannot turn it over either.
+constexpr double LeastVolume = 0.05;
+
+/// Distances in the plane of a level to its contour edges.
+class ContourDistance
+{
+public:
+  explicit ContourDistance(const LevelTriangulation& level)
+  {
+    for (std::size_t t = 0; t < level.Triangles.size(); ++t)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        if (level.EdgeContour[t][k] >= 0 && level.Inside[t])
+        {
+          const auto& corners = level.Triangles[t];
+          this->Edges.emplace_back(
+            At(level.Points[corners[(k + 1) % 3]]), At(level.Points[corners[(k + 2) % 3]]));
+        }
+      }
+    }
+    this->Tree.rebuild(this->Edges.begin(), this->Edges.end());
+  }
+
+  double operator()(const Point2& p) const { return std::sqrt(this->Tree.squared_distance(At(p))); }
+
+private:
+  using Edge = Kernel::Segment_3;
+  using Primitive = CGAL::AABB_segment_primitive<Kernel, std::vector<Edge>::const_iterator>;
+
+  static Kernel::Point_3 At(const Point2& p) { return { p[0], p[1], 0 }; }
+
+  std::vector<Edge> Edges;
+  CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>> Tree;
+};
+
+class SlabLifting
+{
+public:
+  SlabLifting(const LevelGeometry& level1, const LevelGeometry& level2, const SlabTetrahedra& slab)
+    : Levels{ { level1, level2 } }
+    , Slab(slab)
+  {
+    for (int side : { 0, 1 })
+    {
+      const std::size_t count = this->Levels[side].Triangulation->Points.size();
+      this->Heights[side].assign(count, this->Levels[side].Offset);
+      this->Stars[side].resize(count);
+    }
+  }
+
+  void Run()
+  {
+    if (!this->CollectStars())
+    {
+      return;
+    }
+    const ContourDistance distance1(*this->Levels[0].Triangulation);
+    const ContourDistance distance2(*this->Levels[1].Triangulation);
+    for (int side : { 0, 1 })
+    {
+      const auto& own = side == 0 ? distance1 : distance2;
+      const auto& other = side == 0 ? distance2 : distance1;
+      const auto& points = this->Levels[side].Triangulation->Points;
+      for (std::size_t p = 0; p < points.size(); ++p)
+      {
+        if (!this->Stars[side][p].empty())
+        {
+          const double dA = own(points[p]);
+          const double dB = other(points[p]);
+          this->Lift(side, static_cast<int>(p), dA / (dA + dB));
+        }
+      }
+    }
+  }
+
+  std::vector<double> LiftedHeightsOf(int side) const
+  {
+    std::vector<double> heights = this->Heights[side];
+    for (double& height : heights)
+    {
+      height = height == this->Levels[side].Offset ? std::numeric_limits<double>::quiet_NaN() : height;
+    }
+    return heights;
+  }
+
+private:
+  bool IsWanted(int side, int point) const
+  {
+    const auto& level = *this->Levels[side].Triangulation;
+    const int askedBy = side == 0 ? LevelTriangulation::LevelAbove : LevelTriangulation::LevelBelow;
+    return level.Kind[point] == PolyhedralSurface::Internal && (level.AskedBy[point] & askedBy) != 0;
+  }
+
+  bool CollectStars()
+  {
+    bool any = false;
+    for (std::size_t i = 0; i < this->Slab.Tetrahedra.size(); ++i)
+    {
+      const auto& t = this->Slab.Tetrahedra[i];
+      for (int k = 0; k < 4; ++k)
+      {
+        const int side = SlabTetrahedra::OnLevel2(t, k) ? 1 : 0;
+        if (this->IsWanted(side, t.Corners[k]))
+        {
+          this->Stars[side][t.Corners[k]].push_back(static_cast<int>(i));
+          any = true;
+        }
+      }
+    }
+    return any;
+  }
+
+  void Lift(int side, int point, double fraction)
+  {
+    const double from = this->Levels[side].Offset;
+    const double whole = this->Levels[1 - side].Offset - from;
+    std::vector<double> volumes;
+    for (int t : this->Stars[side][point])
+    {
+      volumes.push_back(this->Volume(t));
+    }
+    for (int attempt = 0; attempt < 6; ++attempt, fraction /= 2)
+    {
+      this->Heights[side][point] = from + fraction * whole;
+      if (this->Heights[side][point] != from && this->IsSafe(side, point, volumes))
+      {
+        return;
+      }
+    }
+    this->Heights[side][point] = from;
+  }
+
+  bool IsSafe(int side, int point, const std::vector<double>& volumes) const
+  {
+    const auto& star = this->Stars[side][point];
+    for (std::size_t i = 0; i < star.size(); ++i)
+    {
+      if (this->Volume(star[i]) < LeastVolume * volumes[i] || !this->IsPositive(star[i]))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  std::array<Kernel::Point_3, 4> CornersOf(int tetrahedron) const
+  {
+    const auto& t = this->Slab.Tetrahedra[tetrahedron];
+    std::array<Kernel::Point_3, 4> corners;
+    for (int k = 0; k < 4; ++k)
+    {
+      const int side = SlabTetrahedra::OnLevel2(t, k) ? 1 : 0;
+      const Point2& p = this->Levels[side].Triangulation->Points[t.Corners[k]];
+      corners[k] = { p[0], p[1], this->Heights[side][t.Corners[k]] };
+    }
+    return corners;
+  }
+
+  double Volume(int tetrahedron) const
+  {
+    const auto p = this->CornersOf(tetrahedron);
+    return CGAL::volume(p[0], p[1], p[2], p[3]);
+  }
+
+  bool IsPositive(int tetrahedron) const
+  {
+    const auto p = this->CornersOf(tetrahedron);
+    return CGAL::orientation(p[0], p[1], p[2], p[3]) == CGAL::POSITIVE;
+  }
+
+  std::array<LevelGeometry, 2> Levels;
+  const SlabTetrahedra& Slab;
+  std::array<std::vector<double>, 2> Heights;
+  std::array<std::vector<std::vector<int>>, 2> Stars; ///< tetrahedra at every point to be lifted
+};
+}
+
+void LiftInternalPoints(const LevelGeometry& level1, const LevelGeometry& level2,
+  const SlabTetrahedra& slab, LiftedHeights& lower, LiftedHeights& upper)
+{
+  SlabLifting lifting(level1, level2, slab);
+  lifting.Run();
+  lower.Above = lifting.LiftedHeightsOf(0);
+  upper.Below = lifting.LiftedHeightsOf(1);
+}
+}

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @file Lifting.h
+ * @brief How far internal points are lifted out of their plane (thesis 6.2), and how safely.
+ */
+#ifndef recon_Lifting_h
+#define recon_Lifting_h
+
+#include "SolidComplex.h"
+
+namespace recon
+{
+/**
+ * Heights of the internal points of a slab's two levels inside that slab.
+ *
+ * A move must not turn any tetrahedron at the point over, kept or not: the point is moved less, or not at
+ * all, where it would. So the tetrahedra of the slab still fill space without overlap, and the surface
+ * never crosses itself. Points are treated in their order, so the result is always the same.
+ *
+ * Writes lower.Above and upper.Below, each as long as the level's points, NaN where not lifted.
+ */
+void LiftInternalPoints(const LevelGeometry& level1, const LevelGeometry& level2,
+  const SlabTetrahedra& slab, LiftedHeights& lower, LiftedHeights& upper);
+}
+
+#endif

@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "SolidBoundary.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+#include <unordered_map>
+#include <utility>
+
+namespace recon
+{
+namespace
+{
+/// Corners of the face opposite vertex k of a positively oriented tetrahedron, seen from outside.
+constexpr std::array<std::array<int, 3>, 4> OutwardFace{ { { { 1, 2, 3 } }, { { 0, 3, 2 } },
+  { { 0, 1, 3 } }, { { 0, 2, 1 } } } };
+
+class DisjointSets
+{
+public:
+  explicit DisjointSets(std::size_t count)
+    : Parent(count)
+  {
+    std::iota(this->Parent.begin(), this->Parent.end(), 0);
+  }
+
+  int Find(int i)
+  {
+    while (this->Parent[i] != i)
+    {
+      this->Parent[i] = this->Parent[this->Parent[i]];
+      i = this->Parent[i];
+    }
+    return i;
+  }
+
+  /// The lesser number represents a set, so that the order of union does not matter.
+  void Unite(int i, int j)
+  {
+    i = this->Find(i);
+    j = this->Find(j);
+    this->Parent[std::max(i, j)] = std::min(i, j);
+  }
+
+private:
+  std::vector<int> Parent;
+};
+
+class Extraction
+{
+public:
+  explicit Extraction(const SolidComplex& solid)
+    : Solid(solid)
+  {
+  }
+
+  SolidBoundary Run()
+  {
+    this->CollectFaces();
+    this->PairEdges();
+    this->NumberPoints();
+    this->HalveSharedEdges();
+    return std::move(this->Boundary);
+  }
+
+private:
+  void CollectFaces()
+  {
+    this->FaceOf.assign(this->Solid.Cells.size(), { { -1, -1, -1, -1 } });
+    for (std::size_t c = 0; c < this->Solid.Cells.size(); ++c)
+    {
+      const auto& cell = this->Solid.Cells[c];
+      for (int k = 0; k < 4; ++k)
+      {
+        if (cell.Neighbours[k] >= 0)
+        {
+          continue;
+        }
+        this->FaceOf[c][k] = static_cast<int>(this->Boundary.Faces.size());
+        SolidBoundary::Face face{ {}, static_cast<int>(c) };
+        for (int j = 0; j < 3; ++j)
+        {
+          face.Points[j] = cell.Vertices[OutwardFace[k][j]];
+        }
+        this->Boundary.Faces.push_back(face);
+        this->Opposite.push_back(k);
+      }
+    }
+  }
+
+  /// Partner of edge j of a face (from its corner j to the next): 3 * face + edge of the face reached by
+  /// turning around the edge through the solid.
+  int Turn(int face, int j) const
+  {
+    const auto& points = this->Boundary.Faces[face].Points;
+    const int a = points[j];
+    const int b = points[(j + 1) % 3];
+    int cell = this->Boundary.Faces[face].Cell;
+    int entered = this->Opposite[face];
+    for (;;)
+    {
+      const auto& vertices = this->Solid.Cells[cell].Vertices;
+      int leave = 0;
+      while (leave == entered || vertices[leave] == a || vertices[leave] == b)
+      {
+        ++leave;
+      }
+      const int next = this->Solid.Cells[cell].Neighbours[leave];
+      if (next < 0)
+      {
+        const int other = this->FaceOf[cell][leave];
+        const auto& otherPoints = this->Boundary.Faces[other].Points;
+        // Seen from outside, the other face runs through the edge the other way.
+        const int edge = otherPoints[0] == b ? 0 : (otherPoints[1] == b ? 1 : 2);
+        return 3 * other + edge;
+      }
+      const auto& back = this->Solid.Cells[next].Neighbours;
+      entered = static_cast<int>(std::find(back.begin(), back.end(), cell) - back.begin());
+      cell = next;
+    }
+  }
+
+  void PairEdges()
+  {
+    this->Partner.resize(3 * this->Boundary.Faces.size());
+    for (std::size_t h = 0; h < this->Partner.size(); ++h)
+    {
+      this->Partner[h] = this->Turn(static_cast<int>(h / 3), static_cast<int>(h % 3));
+    }
+  }
+
+  /// Corners joined across partnered edges are one point; a vertex with several such sets is cut.
+  void NumberPoints()
+  {
+    auto& faces = this->Boundary.Faces;
+    DisjointSets sets(3 * faces.size());
+    for (std::size_t h = 0; h < this->Partner.size(); ++h)
+    {
+      const int face = static_cast<int>(h / 3), j = static_cast<int>(h % 3);
+      const int other = this->Partner[h] / 3, i = this->Partner[h] % 3;
+      sets.Unite(3 * face + j, 3 * other + (i + 1) % 3);
+      sets.Unite(3 * face + (j + 1) % 3, 3 * other + i);
+    }
+    std::vector<int> pointOf(3 * faces.size(), -1);
+    std::vector<unsigned char> seen(this->Solid.Vertices.size(), 0);
+    for (std::size_t corner = 0; corner < pointOf.size(); ++corner)
+    {
+      const int root = sets.Find(static_cast<int>(corner));
+      int& point = faces[corner / 3].Points[corner % 3];
+      if (pointOf[root] < 0)
+      {
+        pointOf[root] = static_cast<int>(this->Boundary.Points.size());
+        this->Boundary.Points.push_back({ point, -1 });
+        this->Boundary.CutVertices += seen[point];
+        seen[point] = 1;
+      }
+      point = pointOf[root];
+    }
+  }
+
+  static std::uint64_t KeyOf(int a, int b)
+  {
+    return (static_cast<std::uint64_t>(std::min(a, b)) << 32) |
+      static_cast<std::uint32_t>(std::max(a, b));
+  }
+
+  /**
+   * Two wedges may still share an edge where the fans of both its ends run through both of them.
+   *
+   * There no cut helps; the edge of each wedge but the first gets a point of its own in the middle.
+   */
+  void HalveSharedEdges()
+  {
+    std::unordered_map<std::uint64_t, int> firstOf;
+    std::vector<int> halve;
+    std::unordered_map<std::uint64_t, int> fourFold;
+    for (std::size_t h = 0; h < this->Partner.size(); ++h)
+    {
+      const auto& points = this->Boundary.Faces[h / 3].Points;
+      const int a = points[h % 3], b = points[(h % 3 + 1) % 3];
+      const int partner = this->Partner[h];
+      if (static_cast<int>(h) > partner)
+      {
+        continue;
+      }
+      if (!firstOf.emplace(KeyOf(a, b), static_cast<int>(h)).second)
+      {
+        halve.push_back(static_cast<int>(h));
+      }
+      const int v = this->Boundary.Points[a].Vertex, w = this->Boundary.Points[b].Vertex;
+      this->Boundary.CutEdges += ++fourFold[KeyOf(v, w)] == 2 ? 1 : 0;
+    }
+    this->Boundary.HalvedEdges = static_cast<int>(halve.size());
+    this->InsertMiddles(halve);
+  }
+
+  void InsertMiddles(const std::vector<int>& halve)
+  {
+    // Of every edge of the affected faces its middle point; each face is then cut into a fan.
+    std::unordered_map<int, std::array<int, 3>> middles;
+    for (int h : halve)
+    {
+      const auto& points = this->Boundary.Faces[h / 3].Points;
+      const int v = this->Boundary.Points[points[h % 3]].Vertex;
+      const int w = this->Boundary.Points[points[(h % 3 + 1) % 3]].Vertex;
+      const int middle = static_cast<int>(this->Boundary.Points.size());
+      this->Boundary.Points.push_back({ v, w });
+      for (int side : { h, this->Partner[h] })
+      {
+        middles.emplace(side / 3, std::array<int, 3>{ { -1, -1, -1 } }).first->second[side % 3] = middle;
+      }
+    }
+    std::vector<std::pair<int, std::array<int, 3>>> ordered(middles.begin(), middles.end());
+    std::sort(ordered.begin(), ordered.end());
+    for (const auto& entry : ordered)
+    {
+      this->SplitFace(entry.first, entry.second);
+    }
+  }
+
+  void SplitFace(int face, const std::array<int, 3>& middles)
+  {
+    const SolidBoundary::Face whole = this->Boundary.Faces[face];
+    std::vector<int> polygon;
+    int apex = -1;
+    for (int j = 0; j < 3; ++j)
+    {
+      polygon.push_back(whole.Points[j]);
+      if (middles[j] >= 0)
+      {
+        apex = apex < 0 ? static_cast<int>(polygon.size()) : apex;
+        polygon.push_back(middles[j]);
+      }
+    }
+    // A fan from a middle has no flat triangle: no two of its edges lie on one edge of the face.
+    const int size = static_cast<int>(polygon.size());
+    for (int i = 1; i + 1 < size; ++i)
+    {
+      const SolidBoundary::Face piece{ { { polygon[apex], polygon[(apex + i) % size],
+                                         polygon[(apex + i + 1) % size] } },
+        whole.Cell };
+      if (i == 1)
+      {
+        this->Boundary.Faces[face] = piece;
+      }
+      else
+      {
+        this->Boundary.Faces.push_back(piece);
+      }
+    }
+  }
+
+  const SolidComplex& Solid;
+  SolidBoundary Boundary;
+  std::vector<std::array<int, 4>> FaceOf; ///< of a cell's faces the number on the boundary, or -1
+  std::vector<int> Opposite;              ///< of a boundary face the vertex of its cell opposite it
+  std::vector<int> Partner;
+};
+}
+
+SolidBoundary ExtractSolidBoundary(const SolidComplex& solid)
+{
+  return Extraction(solid).Run();
+}
+}

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @file SolidBoundary.h
+ * @brief The boundary of the solid as a closed manifold.
+ *
+ * A face of one kept tetrahedron only is surface, so the surface is closed and oriented by construction and the
+ * horizontal caps (thesis 6.4) come out by themselves. Where the solid touches itself in an edge or a
+ * vertex (thesis 11.2.2, figure 11.3), the boundary is cut apart: the faces of one wedge of solid stay together
+ * and each wedge gets points of its own. Which faces these are is found by turning around the edge through
+ * the tetrahedra, so no coordinate decides it.
+ */
+#ifndef recon_SolidBoundary_h
+#define recon_SolidBoundary_h
+
+#include "SolidComplex.h"
+
+#include <array>
+#include <vector>
+
+namespace recon
+{
+struct SolidBoundary
+{
+  struct Point
+  {
+    int Vertex;        ///< index into SolidComplex::Vertices
+    int OtherVertex;   ///< -1, or the other end of an edge that was halved: the point is in its middle
+  };
+
+  struct Face
+  {
+    std::array<int, 3> Points; ///< counterclockwise seen from outside
+    int Cell;                  ///< the tetrahedron behind it
+  };
+
+  std::vector<Point> Points;
+  std::vector<Face> Faces;
+  int CutEdges = 0;    ///< edges at which more than two faces met
+  int CutVertices = 0; ///< points added by cutting
+  int HalvedEdges = 0; ///< edges that had to be halved, as both their ends are shared by two wedges
+};
+
+SolidBoundary ExtractSolidBoundary(const SolidComplex& solid);
+}
+
+#endif

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "SolidComplex.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace recon
+{
+namespace
+{
+using Cell = SolidComplex::Cell;
+
+/// A face of the complex: opposite vertex Face of cell Cell, or none.
+struct Side
+{
+  int Cell = -1;
+  int Face = -1;
+};
+
+class Builder
+{
+public:
+  Builder(const std::vector<LevelGeometry>& levels, const std::vector<SlabTetrahedra>& slabs,
+    const std::vector<LiftedHeights>& lifted)
+    : Levels(levels)
+    , Slabs(slabs)
+    , Lifted(lifted)
+  {
+  }
+
+  SolidComplex Build()
+  {
+    this->AddPlanarVertices();
+    // By level: the faces that the solid shows to the plane from above and from below.
+    std::vector<std::vector<Side>> above(this->Levels.size());
+    std::vector<std::vector<Side>> below(this->Levels.size());
+    for (std::size_t level = 0; level < this->Levels.size(); ++level)
+    {
+      const std::size_t count = this->Levels[level].Triangulation->Triangles.size();
+      above[level].resize(count);
+      below[level].resize(count);
+    }
+    for (std::size_t slab = 0; slab < this->Slabs.size(); ++slab)
+    {
+      this->AddSlab(static_cast<int>(slab), above[slab], below[slab + 1]);
+    }
+    for (std::size_t level = 0; level < this->Levels.size(); ++level)
+    {
+      this->JoinAcrossPlane(static_cast<int>(level), above[level], below[level]);
+    }
+    return std::move(this->Complex);
+  }
+
+private:
+  void AddPlanarVertices()
+  {
+    for (std::size_t level = 0; level < this->Levels.size(); ++level)
+    {
+      const auto& points = this->Levels[level].Triangulation->Points;
+      this->FirstVertex.push_back(static_cast<int>(this->Complex.Vertices.size()));
+      for (std::size_t p = 0; p < points.size(); ++p)
+      {
+        this->Complex.Vertices.push_back({ points[p], this->Levels[level].Offset,
+          static_cast<int>(level), static_cast<int>(p), false });
+      }
+    }
+  }
+
+  /// The vertices of a level as one of its slabs sees them: lifted copies where there are any.
+  std::vector<int> AddLiftedVertices(int level, const std::vector<double>& heights)
+  {
+    const auto& points = this->Levels[level].Triangulation->Points;
+    std::vector<int> seen(points.size());
+    for (std::size_t p = 0; p < points.size(); ++p)
+    {
+      seen[p] = this->FirstVertex[level] + static_cast<int>(p);
+      if (p < heights.size() && !std::isnan(heights[p]))
+      {
+        seen[p] = static_cast<int>(this->Complex.Vertices.size());
+        this->Complex.Vertices.push_back(
+          { points[p], heights[p], level, static_cast<int>(p), true });
+      }
+    }
+    return seen;
+  }
+
+  void AddSlab(int slab, std::vector<Side>& aboveLower, std::vector<Side>& belowUpper)
+  {
+    const std::vector<int> lower = this->AddLiftedVertices(slab, this->Lifted[slab].Above);
+    const std::vector<int> upper = this->AddLiftedVertices(slab + 1, this->Lifted[slab + 1].Below);
+    const auto& tetrahedra = this->Slabs[slab].Tetrahedra;
+
+    std::vector<int> cellOf(tetrahedra.size(), -1);
+    int next = static_cast<int>(this->Complex.Cells.size());
+    for (std::size_t i = 0; i < tetrahedra.size(); ++i)
+    {
+      cellOf[i] = tetrahedra[i].Reason == SlabTetrahedra::Kept ? next++ : -1;
+    }
+    for (const auto& t : tetrahedra)
+    {
+      if (t.Reason != SlabTetrahedra::Kept)
+      {
+        continue;
+      }
+      Cell cell{ {}, {}, slab };
+      for (int k = 0; k < 4; ++k)
+      {
+        cell.Vertices[k] = SlabTetrahedra::OnLevel2(t, k) ? upper[t.Corners[k]] : lower[t.Corners[k]];
+        cell.Neighbours[k] = t.Neighbours[k] < 0 ? -1 : cellOf[t.Neighbours[k]];
+      }
+      this->Complex.Cells.push_back(cell);
+    }
+    const int firstT2 = this->Slabs[slab].NumberOfT1;
+    this->FillGap(slab, slab, lower, cellOf.data(), aboveLower);
+    this->FillGap(slab, slab + 1, upper, cellOf.data() + firstT2, belowUpper);
+  }
+
+  /**
+   * Fill the space between the plane of a level and its lifted triangles in one slab.
+   *
+   * baseCells: of every triangle its T1 (or T2) cell, or -1. sides: receives what the plane sees.
+   * A triangle grows one tetrahedron for each lifted corner, in the order of the point numbers, so that
+   * triangles that share an edge agree on the faces above it.
+   */
+  void FillGap(int slab, int level, const std::vector<int>& seen, const int* baseCells,
+    std::vector<Side>& sides)
+  {
+    const auto& triangulation = *this->Levels[level].Triangulation;
+    const bool upwards = slab == level;
+    const int count = static_cast<int>(triangulation.Triangles.size());
+    // Of every corner of every triangle the cell that lifts it, or -1.
+    std::vector<std::array<int, 3>> lifting(count, { { -1, -1, -1 } });
+    for (int t = 0; t < count; ++t)
+    {
+      this->AddGapCells(slab, level, t, seen, upwards, lifting[t], sides[t], baseCells[t]);
+    }
+    for (int t = 0; t < count; ++t)
+    {
+      for (int lifted = 0; lifted < 3; ++lifted)
+      {
+        for (int other = 0; other < 3 && lifting[t][lifted] >= 0; ++other)
+        {
+          if (other != lifted)
+          {
+            this->JoinSideways(triangulation, t, lifted, other, upwards, lifting);
+          }
+        }
+      }
+    }
+  }
+
+  /// Position in a gap cell of corner k of its triangle: one below the plane is the mirror image.
+  static int GapCorner(int k, bool upwards) { return upwards || k == 0 ? k : 3 - k; }
+
+  void AddGapCells(int slab, int level, int t, const std::vector<int>& seen, bool upwards,
+    std::array<int, 3>& lifting, Side& side, int baseCell)
+  {
+    const auto& corners = this->Levels[level].Triangulation->Triangles[t];
+    std::array<int, 3> current{};
+    std::array<int, 3> order{ { 0, 1, 2 } };
+    std::sort(order.begin(), order.end(), [&](int i, int j) { return corners[i] < corners[j]; });
+    for (int k = 0; k < 3; ++k)
+    {
+      current[k] = this->FirstVertex[level] + corners[k];
+    }
+    Side open; // the face of the last cell that looks away from the plane
+    for (int k : order)
+    {
+      const int copy = seen[corners[k]];
+      if (copy == current[k])
+      {
+        continue;
+      }
+      Cell cell{ {}, { { -1, -1, -1, -1 } }, slab };
+      for (int j = 0; j < 3; ++j)
+      {
+        cell.Vertices[GapCorner(j, upwards)] = current[j];
+      }
+      cell.Vertices[3] = copy;
+      const int added = static_cast<int>(this->Complex.Cells.size());
+      this->Complex.Cells.push_back(cell);
+      if (open.Cell < 0)
+      {
+        side = { added, 3 };
+      }
+      else
+      {
+        this->Join(open, { added, 3 });
+      }
+      open = { added, GapCorner(k, upwards) };
+      lifting[k] = added;
+      current[k] = copy;
+    }
+    if (baseCell < 0)
+    {
+      return;
+    }
+    if (open.Cell < 0)
+    {
+      side = { baseCell, 3 };
+    }
+    else
+    {
+      this->Join(open, { baseCell, 3 });
+    }
+  }
+
+  /// The upright face of the cell that lifts a corner, opposite another corner of its triangle, is shared
+  /// with the cell that lifts the same point in the triangle across that edge.
+  void JoinSideways(const LevelTriangulation& triangulation, int t, int lifted, int other,
+    bool upwards, const std::vector<std::array<int, 3>>& lifting)
+  {
+    const int neighbour = triangulation.Neighbours[t][other];
+    const int point = triangulation.Triangles[t][lifted];
+    const auto& corners = triangulation.Triangles[neighbour];
+    const int same = corners[0] == point ? 0 : (corners[1] == point ? 1 : 2);
+    this->Complex.Cells[lifting[t][lifted]].Neighbours[GapCorner(other, upwards)] =
+      lifting[neighbour][same];
+  }
+
+  void Join(const Side& a, const Side& b)
+  {
+    this->Complex.Cells[a.Cell].Neighbours[a.Face] = b.Cell;
+    this->Complex.Cells[b.Cell].Neighbours[b.Face] = a.Cell;
+  }
+
+  void JoinAcrossPlane(int level, const std::vector<Side>& above, const std::vector<Side>& below)
+  {
+    const auto& triangulation = *this->Levels[level].Triangulation;
+    for (std::size_t t = 0; t < above.size(); ++t)
+    {
+      if (above[t].Cell >= 0 && below[t].Cell >= 0)
+      {
+        this->Join(above[t], below[t]);
+      }
+      else if (above[t].Cell < 0 && below[t].Cell < 0 && triangulation.Inside[t])
+      {
+        this->Complex.UncoveredTriangles.push_back({ level, static_cast<int>(t) });
+      }
+    }
+  }
+
+  const std::vector<LevelGeometry>& Levels;
+  const std::vector<SlabTetrahedra>& Slabs;
+  const std::vector<LiftedHeights>& Lifted;
+  std::vector<int> FirstVertex;
+  SolidComplex Complex;
+};
+}
+
+SolidComplex BuildSolidComplex(const std::vector<LevelGeometry>& levels,
+  const std::vector<SlabTetrahedra>& slabs, const std::vector<LiftedHeights>& lifted)
+{
+  return Builder(levels, slabs, lifted).Build();
+}
+}
