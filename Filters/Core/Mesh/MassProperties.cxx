@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "MassProperties.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace recon
+{
+namespace
+{
+/// Neumaier's sum: the error does not grow with the number of terms.
+class CompensatedSum
+{
+public:
+  void Add(double x)
+  {
+    const double sum = this->Sum + x;
+    this->Lost +=
+      std::fabs(this->Sum) >= std::fabs(x) ? (this->Sum - sum) + x : (x - sum) + this->Sum;
+    this->Sum = sum;
+  }
+  double Value() const { return this->Sum + this->Lost; }
+
+private:
+  double Sum = 0;
+  double Lost = 0;
+};
+
+struct Sums
+{
+  Point3 Low{ std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
+    std::numeric_limits<double>::infinity() };
+  Point3 High{ -Low[0], -Low[1], -Low[2] };
+  Point3 Middle{ 0, 0, 0 };
+  CompensatedSum Volume;
+  CompensatedSum Area;
+  std::array<CompensatedSum, 3> Moment; ///< of the solid, about Middle
+  double LargestCotangent = -1;         ///< of the smallest angle; -1: no triangle yet
+
+  bool Any() const { return this->Low[0] <= this->High[0]; }
+};
+
+void GrowBounds(const TriangleMesh& mesh, const std::array<int, 3>& triangle, Sums& sums)
+{
+  for (const int p : triangle)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      sums.Low[k] = std::min(sums.Low[k], mesh.Points[p][k]);
+      sums.High[k] = std::max(sums.High[k], mesh.Points[p][k]);
+    }
+  }
+}
+
+/// Cotangent of the smallest angle; infinity where the triangle has no area.
+double CotangentOfSmallestAngle(
+  const Vector3& ab, const Vector3& bc, const Vector3& ca, double doubledArea)
+{
+  if (doubledArea <= 0)
+  {
+    return std::numeric_limits<double>::infinity();
+  }
+  const std::array<double, 3> squared{ Dot(ab, ab), Dot(bc, bc), Dot(ca, ca) };
+  const auto shortest = std::min_element(squared.begin(), squared.end()) - squared.begin();
+  // The smallest angle is opposite the shortest side; the other two sides run one in, one out of
+  // its corner.
+  const double product = shortest == 0 ? Dot(bc, ca) : shortest == 1 ? Dot(ca, ab) : Dot(ab, bc);
+  return -product / doubledArea;
+}
+
+void AddTriangle(const TriangleMesh& mesh, const std::array<int, 3>& triangle, Sums& sums)
+{
+  const Vector3 a = mesh.Points[triangle[0]] - sums.Middle;
+  const Vector3 b = mesh.Points[triangle[1]] - sums.Middle;
+  const Vector3 c = mesh.Points[triangle[2]] - sums.Middle;
+  const Vector3 ab = b - a;
+  const Vector3 bc = c - b;
+  const Vector3 ca = a - c;
+  const double doubledArea = Norm(Cross(ab, bc));
+  sums.Area.Add(doubledArea / 2);
+  // a . (b x c), the edges taken relative to a: smaller numbers, smaller errors.
+  const double volume = Dot(a, Cross(ab, bc)) / 6;
+  sums.Volume.Add(volume);
+  for (int k = 0; k < 3; ++k)
+  {
+    sums.Moment[k].Add(volume * (a[k] + b[k] + c[k]) / 4);
+  }
+  sums.LargestCotangent =
+    std::max(sums.LargestCotangent, CotangentOfSmallestAngle(ab, bc, ca, doubledArea));
+}
+
+/// Sums of each component and last, of the triangles of none.
+std::vector<Sums> AddUp(
+  const TriangleMesh& mesh, const std::vector<int>& componentOfTriangle, int count)
+{
+  std::vector<Sums> sums(count + 1);
+  const auto of = [&](std::size_t t) -> Sums&
+  { return sums[componentOfTriangle[t] < 0 ? count : componentOfTriangle[t]]; };
+  for (std::size_t t = 0; t < mesh.Triangles.size(); ++t)
+  {
+    GrowBounds(mesh, mesh.Triangles[t], of(t));
+  }
+  for (auto& s : sums)
+  {
+    s.Middle = s.Any() ? 0.5 * s.Low + 0.5 * s.High : Point3{ 0, 0, 0 };
+  }
+  for (std::size_t t = 0; t < mesh.Triangles.size(); ++t)
+  {
+    AddTriangle(mesh, mesh.Triangles[t], of(t));
+  }
+  return sums;
+}
+
+constexpr double DegreesPerRadian = 57.29577951308232;
+
+MassFigures ToFigures(const Sums& sums, bool encloses)
+{
+  MassFigures figures;
+  if (!sums.Any())
+  {
+    return figures;
+  }
+  figures.Area = sums.Area.Value();
+  figures.Low = sums.Low;
+  figures.High = sums.High;
+  figures.SmallestAngle = std::atan2(1.0, sums.LargestCotangent) * DegreesPerRadian;
+  if (!encloses)
+  {
+    return figures;
+  }
+  const double volume = sums.Volume.Value();
+  figures.Volume = volume;
+  if (volume != 0)
+  {
+    figures.Centroid = sums.Middle;
+    for (int k = 0; k < 3; ++k)
+    {
+      (*figures.Centroid)[k] += sums.Moment[k].Value() / volume;
+    }
+  }
+  return figures;
+}
+
+/// The whole from its parts; `rest` are the triangles of no component, which have no area.
+MassFigures Combine(const std::vector<MassFigures>& parts, const Sums& rest)
+{
+  MassFigures whole;
+  CompensatedSum area, volume;
+  std::array<CompensatedSum, 3> moment;
+  Sums bounds = rest;
+  bool encloses = !parts.empty();
+  double angle = rest.Any() ? 0 : 180;
+  for (const auto& part : parts)
+  {
+    area.Add(part.Area);
+    angle = std::min(angle, part.SmallestAngle);
+    encloses = encloses && part.Volume;
+    for (int k = 0; k < 3; ++k)
+    {
+      bounds.Low[k] = std::min(bounds.Low[k], part.Low[k]);
+      bounds.High[k] = std::max(bounds.High[k], part.High[k]);
+      if (part.Centroid)
+      {
+        // Relative to one of the centroids, so that nothing is lost far from the origin.
+        moment[k].Add(*part.Volume * ((*part.Centroid)[k] - parts.front().Low[k]));
+      }
+    }
+    volume.Add(part.Volume.value_or(0));
+  }
+  if (!bounds.Any())
+  {
+    return whole;
+  }
+  whole.Area = area.Value();
+  whole.Low = bounds.Low;
+  whole.High = bounds.High;
+  whole.SmallestAngle = angle;
+  if (encloses)
+  {
+    whole.Volume = volume.Value();
+  }
+  if (encloses && *whole.Volume != 0)
+  {
+    whole.Centroid = parts.front().Low;
+    for (int k = 0; k < 3; ++k)
+    {
+      (*whole.Centroid)[k] += moment[k].Value() / *whole.Volume;
+    }
+  }
+  return whole;
+}
+}
+
+std::vector<double> ComputeSignedVolumes(
+  const TriangleMesh& mesh, const std::vector<int>& componentOfTriangle, int count)
+{
+  std::vector<double> volumes;
+  const auto sums = AddUp(mesh, componentOfTriangle, count);
+  for (int c = 0; c < count; ++c)
+  {
+    volumes.push_back(sums[c].Volume.Value());
+  }
+  return volumes;
+}
+
+std::vector<MassFigures> ComputeMassProperties(const TriangleMesh& mesh,
+  const std::vector<int>& componentOfTriangle, const std::vector<bool>& encloses)
+{
+  const int count = static_cast<int>(encloses.size());
+  const auto sums = AddUp(mesh, componentOfTriangle, count);
+  std::vector<MassFigures> figures;
+  for (int c = 0; c < count; ++c)
+  {
+    figures.push_back(ToFigures(sums[c], encloses[c]));
+  }
+  figures.push_back(Combine(figures, sums[count]));
+  return figures;
+}
+}

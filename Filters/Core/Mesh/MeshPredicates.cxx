@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "MeshPredicates.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+namespace recon
+{
+namespace
+{
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+
+Kernel::Point_3 ToCGAL(const Point3& p)
+{
+  return { p[0], p[1], p[2] };
+}
+
+Kernel::Point_2 ToCGAL(const Point2& p)
+{
+  return { p[0], p[1] };
+}
+}
+
+int ExactOrientation3(const Point3& a, const Point3& b, const Point3& c, const Point3& d)
+{
+  return static_cast<int>(CGAL::orientation(ToCGAL(a), ToCGAL(b), ToCGAL(c), ToCGAL(d)));
+}
+
+int ExactOrientation2(const Point2& a, const Point2& b, const Point2& c)
+{
+  return static_cast<int>(CGAL::orientation(ToCGAL(a), ToCGAL(b), ToCGAL(c)));
+}
+
+bool ExactCollinear(const Point3& a, const Point3& b, const Point3& c)
+{
+  return CGAL::collinear(ToCGAL(a), ToCGAL(b), ToCGAL(c));
+}
+}

@@ -1,0 +1,524 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "MeshTopology.h"
+
+#include "../Monitor.h"
+#include "ComponentNesting.h"
+#include "MassProperties.h"
+#include "MeshDefects.h"
+#include "MeshPredicates.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <numeric>
+#include <string>
+
+namespace recon
+{
+namespace
+{
+/// Disjoint sets of 0..n-1, the smallest member being the name of each.
+class DisjointSets
+{
+public:
+  explicit DisjointSets(std::size_t count) : Parent(count)
+  {
+    std::iota(this->Parent.begin(), this->Parent.end(), 0);
+  }
+
+  int Find(int i)
+  {
+    while (this->Parent[i] != i)
+    {
+      this->Parent[i] = this->Parent[this->Parent[i]];
+      i = this->Parent[i];
+    }
+    return i;
+  }
+
+  void Join(int i, int j)
+  {
+    i = this->Find(i);
+    j = this->Find(j);
+    this->Parent[std::max(i, j)] = std::min(i, j);
+  }
+
+private:
+  std::vector<int> Parent;
+};
+
+bool IsCollapsed(const std::array<int, 3>& t)
+{
+  return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+}
+
+/// A side of a triangle, filed under the smaller of its two points.
+struct HalfEdge
+{
+  int High;   ///< the larger point
+  int Corner; ///< 3 * triangle + k: the side from corner k to the next
+};
+
+/**
+ * All sides of triangles that are not collapsed, sorted by (smaller point, larger point, corner).
+ *
+ * A counting sort by the smaller point leaves buckets of some six sides, which a million triangles
+ * sort several times faster than in one go.
+ */
+struct EdgeTable
+{
+  std::vector<int> First; ///< a point: its bucket begins here; one entry more than points
+  std::vector<HalfEdge> Sides;
+};
+
+EdgeTable SortEdges(const TriangleMesh& mesh)
+{
+  EdgeTable table;
+  table.First.assign(mesh.Points.size() + 1, 0);
+  const auto forEachSide = [&](const auto& visit)
+  {
+    for (std::size_t t = 0; t < mesh.Triangles.size(); ++t)
+    {
+      const auto& corners = mesh.Triangles[t];
+      if (IsCollapsed(corners))
+      {
+        continue;
+      }
+      for (int k = 0; k < 3; ++k)
+      {
+        const auto [low, high] = std::minmax(corners[k], corners[(k + 1) % 3]);
+        visit(low, HalfEdge{ high, static_cast<int>(3 * t) + k });
+      }
+    }
+  };
+  forEachSide([&](int low, const HalfEdge&) { ++table.First[low + 1]; });
+  std::partial_sum(table.First.begin(), table.First.end(), table.First.begin());
+  table.Sides.resize(table.First.back());
+  std::vector<int> next(table.First.begin(), table.First.end() - 1);
+  forEachSide([&](int low, const HalfEdge& side) { table.Sides[next[low]++] = side; });
+  for (std::size_t p = 0; p < mesh.Points.size(); ++p)
+  {
+    std::sort(table.Sides.begin() + table.First[p], table.Sides.begin() + table.First[p + 1],
+      [](const HalfEdge& a, const HalfEdge& b)
+      { return a.High != b.High ? a.High < b.High : a.Corner < b.Corner; });
+  }
+  return table;
+}
+
+/// All sides that join the same two points.
+struct EdgeGroup
+{
+  int Low;
+  int High;
+  const HalfEdge* Begin;
+  const HalfEdge* End;
+
+  int Count() const { return static_cast<int>(this->End - this->Begin); }
+};
+
+template <typename Visitor>
+void ForEachEdge(const EdgeTable& table, const Visitor& visit)
+{
+  const int points = static_cast<int>(table.First.size()) - 1;
+  for (int low = 0; low < points; ++low)
+  {
+    const HalfEdge* const end = table.Sides.data() + table.First[low + 1];
+    for (const HalfEdge* side = table.Sides.data() + table.First[low]; side != end;)
+    {
+      const HalfEdge* const begin = side;
+      while (side != end && side->High == begin->High)
+      {
+        ++side;
+      }
+      visit(EdgeGroup{ low, begin->High, begin, side });
+    }
+  }
+}
+
+/// One run of CheckTopology.
+class Checker
+{
+public:
+  explicit Checker(const TriangleMesh& mesh)
+    : Mesh(mesh),
+      Edges(SortEdges(mesh)),
+      Fans(3 * mesh.Triangles.size())
+  {
+  }
+
+  MeshTopology Run()
+  {
+    this->Result.DefectOfTriangle.assign(this->Mesh.Triangles.size(), 0);
+    this->FindComponents();
+    ForEachEdge(this->Edges, [this](const EdgeGroup& edge) { this->VisitEdge(edge); });
+    this->CountPoints();
+    this->CountTriangles();
+    for (auto& component : this->Result.Components)
+    {
+      Judge(component);
+    }
+    this->JudgeOutward();
+    this->SumUp();
+    return std::move(this->Result);
+  }
+
+private:
+  void FindComponents()
+  {
+    const auto& triangles = this->Mesh.Triangles;
+    DisjointSets sets(this->Mesh.Points.size());
+    for (const auto& t : triangles)
+    {
+      if (!IsCollapsed(t))
+      {
+        sets.Join(t[0], t[1]);
+        sets.Join(t[1], t[2]);
+      }
+    }
+    std::vector<int> componentOfSet(this->Mesh.Points.size(), -1);
+    int count = 0;
+    for (const auto& t : triangles)
+    {
+      if (!IsCollapsed(t) && componentOfSet[sets.Find(t[0])] < 0)
+      {
+        componentOfSet[sets.Find(t[0])] = count++;
+      }
+    }
+    this->Result.Components.resize(count);
+    this->HasOddEdge.assign(count, false);
+    this->ComponentOfPoint.resize(this->Mesh.Points.size());
+    for (std::size_t p = 0; p < this->Mesh.Points.size(); ++p)
+    {
+      this->ComponentOfPoint[p] = componentOfSet[sets.Find(static_cast<int>(p))];
+    }
+    for (const auto& t : triangles)
+    {
+      // A collapsed triangle belongs where one of its corners is in use, if anywhere.
+      const auto& of = this->ComponentOfPoint;
+      this->Result.ComponentOfTriangle.push_back(std::max({ of[t[0]], of[t[1]], of[t[2]] }));
+    }
+  }
+
+  TopologyFigures& ComponentAt(int point)
+  {
+    return this->Result.Components[this->ComponentOfPoint[point]];
+  }
+
+  bool RunsUpward(const HalfEdge& side) const
+  {
+    return this->Mesh.Triangles[side.Corner / 3][side.Corner % 3] < side.High;
+  }
+
+  void Mark(const EdgeGroup& edge, int defect)
+  {
+    for (const HalfEdge* side = edge.Begin; side != edge.End; ++side)
+    {
+      this->Result.DefectOfTriangle[side->Corner / 3] |= defect;
+    }
+  }
+
+  void VisitEdge(const EdgeGroup& edge)
+  {
+    TopologyFigures& figures = this->ComponentAt(edge.Low);
+    ++figures.Edges;
+    if (edge.Count() == 1)
+    {
+      ++figures.OpenEdges;
+      this->Mark(edge, DefectOpenEdge);
+      return;
+    }
+    int balance = 0;
+    for (const HalfEdge* side = edge.Begin; side != edge.End; ++side)
+    {
+      balance += this->RunsUpward(*side) ? 1 : -1;
+      this->JoinFans(*edge.Begin, *side);
+    }
+    if (std::abs(balance) > edge.Count() % 2)
+    {
+      ++figures.MisorientedEdges;
+      this->Mark(edge, DefectMisorientedEdge);
+    }
+    if (edge.Count() > 2)
+    {
+      ++figures.OverusedEdges;
+      if (edge.Count() % 2 != 0)
+      {
+        this->HasOddEdge[this->ComponentOfPoint[edge.Low]] = true;
+      }
+      this->Mark(edge, DefectOverusedEdge);
+    }
+    this->FindDuplicates(edge, figures);
+  }
+
+  /// The corners of two triangles at the two ends of an edge that they share are of one fan each.
+  void JoinFans(const HalfEdge& a, const HalfEdge& b)
+  {
+    const int lowA = this->CornerAtLow(a);
+    const int lowB = this->CornerAtLow(b);
+    this->Fans.Join(lowA, lowB);
+    this->Fans.Join(this->OtherEnd(a, lowA), this->OtherEnd(b, lowB));
+  }
+
+  static int NextCorner(int corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
+
+  int CornerAtLow(const HalfEdge& side) const
+  {
+    return this->RunsUpward(side) ? side.Corner : NextCorner(side.Corner);
+  }
+
+  static int OtherEnd(const HalfEdge& side, int corner)
+  {
+    return corner == side.Corner ? NextCorner(side.Corner) : side.Corner;
+  }
+
+  int PointOpposite(const HalfEdge& side) const
+  {
+    return this->Mesh.Triangles[side.Corner / 3][(side.Corner % 3 + 2) % 3];
+  }
+
+  /// Triangles on the same points share three edges; they are compared at the one of the two
+  /// smallest points.
+  void FindDuplicates(const EdgeGroup& edge, TopologyFigures& figures)
+  {
+    this->Opposite.clear();
+    for (const HalfEdge* side = edge.Begin; side != edge.End; ++side)
+    {
+      const int third = this->PointOpposite(*side);
+      if (third > edge.High)
+      {
+        this->Opposite.emplace_back(third, side->Corner / 3);
+      }
+    }
+    std::sort(this->Opposite.begin(), this->Opposite.end());
+    for (std::size_t i = 1; i < this->Opposite.size(); ++i)
+    {
+      if (this->Opposite[i].first == this->Opposite[i - 1].first)
+      {
+        ++figures.DuplicateTriangles;
+        this->Result.DefectOfTriangle[this->Opposite[i].second] |= DefectDuplicate;
+        this->Result.DefectOfTriangle[this->Opposite[i - 1].second] |= DefectDuplicate;
+      }
+    }
+  }
+
+  void CountPoints()
+  {
+    std::vector<int> fansOfPoint(this->Mesh.Points.size(), 0);
+    const int corners = static_cast<int>(3 * this->Mesh.Triangles.size());
+    for (int c = 0; c < corners; ++c)
+    {
+      const auto& t = this->Mesh.Triangles[c / 3];
+      if (!IsCollapsed(t) && this->Fans.Find(c) == c)
+      {
+        ++fansOfPoint[t[c % 3]];
+      }
+    }
+    for (std::size_t p = 0; p < fansOfPoint.size(); ++p)
+    {
+      if (fansOfPoint[p] == 0)
+      {
+        continue;
+      }
+      TopologyFigures& figures = this->ComponentAt(static_cast<int>(p));
+      ++figures.Points;
+      figures.PinchedVertices += fansOfPoint[p] > 1 ? 1 : 0;
+    }
+    for (std::size_t t = 0; t < this->Mesh.Triangles.size(); ++t)
+    {
+      const auto& corners3 = this->Mesh.Triangles[t];
+      const bool pinched =
+        std::any_of(corners3.begin(), corners3.end(), [&](int p) { return fansOfPoint[p] > 1; });
+      if (pinched && !IsCollapsed(corners3))
+      {
+        this->Result.DefectOfTriangle[t] |= DefectPinchedVertex;
+      }
+    }
+  }
+
+  void CountTriangles()
+  {
+    for (std::size_t i = 0; i < this->Mesh.Triangles.size(); ++i)
+    {
+      const auto& t = this->Mesh.Triangles[i];
+      const auto& points = this->Mesh.Points;
+      const int component = this->Result.ComponentOfTriangle[i];
+      TopologyFigures& figures =
+        component < 0 ? this->Result.Total : this->Result.Components[component];
+      ++figures.Triangles;
+      if (IsCollapsed(t) || Collinear(points[t[0]], points[t[1]], points[t[2]]))
+      {
+        ++figures.DegenerateTriangles;
+        this->Result.DefectOfTriangle[i] |= DefectDegenerate;
+      }
+      figures.Euler += IsCollapsed(t) ? 0 : 1;
+    }
+    for (std::size_t c = 0; c < this->Result.Components.size(); ++c)
+    {
+      TopologyFigures& figures = this->Result.Components[c];
+      figures.Components = 1;
+      figures.Euler += figures.Points - figures.Edges;
+      figures.Closed = figures.OpenEdges == 0 && !this->HasOddEdge[c];
+    }
+  }
+
+  /// All but Closed and Outward, which need more than the counts.
+  static void Judge(TopologyFigures& figures)
+  {
+    figures.EdgeManifold = figures.OverusedEdges == 0;
+    figures.VertexManifold = figures.PinchedVertices == 0;
+    figures.Oriented = figures.MisorientedEdges == 0;
+    if (figures.Closed && figures.Manifold() && figures.Oriented)
+    {
+      figures.Genus = (2 - figures.Euler) / 2;
+    }
+  }
+
+  void JudgeOutward()
+  {
+    const int count = static_cast<int>(this->Result.Components.size());
+    std::vector<bool> encloses;
+    for (const auto& component : this->Result.Components)
+    {
+      encloses.push_back(component.EnclosesVolume());
+    }
+    this->Result.Nesting =
+      FindComponentNesting(this->Mesh, this->Result.ComponentOfTriangle, encloses);
+    const auto volumes = ComputeSignedVolumes(this->Mesh, this->Result.ComponentOfTriangle, count);
+    for (int c = 0; c < count; ++c)
+    {
+      const bool cavity = this->Result.Nesting[c] % 2 != 0;
+      this->Result.Components[c].Outward =
+        encloses[c] && (cavity ? volumes[c] < 0 : volumes[c] > 0);
+    }
+    for (std::size_t t = 0; t < this->Mesh.Triangles.size(); ++t)
+    {
+      const int c = this->Result.ComponentOfTriangle[t];
+      if (c >= 0 && encloses[c] && !this->Result.Components[c].Outward)
+      {
+        this->Result.DefectOfTriangle[t] |= DefectInward;
+      }
+    }
+  }
+
+  /// Total already holds the collapsed triangles that belong to no component.
+  void SumUp()
+  {
+    TopologyFigures& total = this->Result.Total;
+    const bool any = !this->Result.Components.empty();
+    total.Closed = total.EdgeManifold = total.VertexManifold = total.Oriented = total.Outward = any;
+    total.Genus = any ? std::optional<int>(0) : std::nullopt;
+    for (const auto& c : this->Result.Components)
+    {
+      total.Triangles += c.Triangles;
+      total.Points += c.Points;
+      total.Edges += c.Edges;
+      total.Components += c.Components;
+      total.OpenEdges += c.OpenEdges;
+      total.OverusedEdges += c.OverusedEdges;
+      total.MisorientedEdges += c.MisorientedEdges;
+      total.PinchedVertices += c.PinchedVertices;
+      total.DuplicateTriangles += c.DuplicateTriangles;
+      total.DegenerateTriangles += c.DegenerateTriangles;
+      total.Euler += c.Euler;
+      total.Closed = total.Closed && c.Closed;
+      total.EdgeManifold = total.EdgeManifold && c.EdgeManifold;
+      total.VertexManifold = total.VertexManifold && c.VertexManifold;
+      total.Oriented = total.Oriented && c.Oriented;
+      total.Outward = total.Outward && c.Outward;
+      total.Genus =
+        total.Genus && c.Genus ? std::optional<int>(*total.Genus + *c.Genus) : std::nullopt;
+    }
+  }
+
+  const TriangleMesh& Mesh;
+  EdgeTable Edges;
+  DisjointSets Fans; ///< of corners, 3 * triangle + k
+  std::vector<int> ComponentOfPoint;
+  std::vector<bool> HasOddEdge;              ///< has an edge of 3, 5, ... triangles
+  std::vector<std::pair<int, int>> Opposite; ///< third point and triangle, reused by FindDuplicates
+  MeshTopology Result;
+};
+
+/// Hash of coordinates in which -0 and 0 are one.
+std::uint64_t HashOf(const Point3& p)
+{
+  std::uint64_t hash = 0;
+  for (const double x : p)
+  {
+    const double positive = x + 0.0;
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, &positive, sizeof bits);
+    hash = (hash ^ bits) * 0x9E3779B97F4A7C15ull;
+    hash ^= hash >> 32;
+  }
+  return hash;
+}
+}
+
+void RequireUsable(const TriangleMesh& mesh)
+{
+  const int points = static_cast<int>(mesh.Points.size());
+  for (std::size_t t = 0; t < mesh.Triangles.size(); ++t)
+  {
+    for (const int p : mesh.Triangles[t])
+    {
+      if (p < 0 || p >= points)
+      {
+        throw Error("Triangle " + std::to_string(t) + " refers to point " + std::to_string(p) +
+          " of " + std::to_string(points) + "; the surface is not whole, read it again.");
+      }
+      const Point3& x = mesh.Points[p];
+      if (!std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]))
+      {
+        throw Error("Point " + std::to_string(p) +
+          " of the surface has a coordinate that is no "
+          "finite number; remove it, for nothing can be said about such a surface.");
+      }
+    }
+  }
+}
+
+MeshTopology CheckTopology(const TriangleMesh& mesh)
+{
+  RequireUsable(mesh);
+  return Checker(mesh).Run();
+}
+
+TriangleMesh WeldPoints(const TriangleMesh& mesh)
+{
+  RequireUsable(mesh);
+  // Open addressing; the table is a power of two and at most half full.
+  std::size_t size = 16;
+  while (size < 2 * mesh.Points.size())
+  {
+    size *= 2;
+  }
+  std::vector<int> slots(size, -1);
+  std::vector<int> renamed(mesh.Points.size());
+  TriangleMesh result;
+  for (std::size_t p = 0; p < mesh.Points.size(); ++p)
+  {
+    std::size_t slot = HashOf(mesh.Points[p]) & (size - 1);
+    while (slots[slot] >= 0 && result.Points[slots[slot]] != mesh.Points[p])
+    {
+      slot = (slot + 1) & (size - 1);
+    }
+    if (slots[slot] < 0)
+    {
+      slots[slot] = static_cast<int>(result.Points.size());
+      result.Points.push_back(mesh.Points[p]);
+    }
+    renamed[p] = slots[slot];
+  }
+  result.Triangles = mesh.Triangles;
+  for (auto& t : result.Triangles)
+  {
+    for (int& p : t)
+    {
+      p = renamed[p];
+    }
+  }
+  return result;
+}
+}

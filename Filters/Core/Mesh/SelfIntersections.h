@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @file SelfIntersections.h
+ * @brief All pairs of triangles of a mesh that cross, overlap or touch, found exactly.
+ */
+#ifndef recon_SelfIntersections_h
+#define recon_SelfIntersections_h
+
+#include "../Monitor.h"
+#include "TriangleMesh.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace recon
+{
+/// See PairRelation for what the three words mean.
+struct IntersectingPair
+{
+  enum KindType
+  {
+    Touching,
+    Overlapping,
+    Crossing
+  };
+  int First;  ///< triangle, the smaller number
+  int Second; ///< triangle
+  KindType Kind;
+};
+
+struct SelfIntersections
+{
+  std::int64_t Crossing = 0;
+  std::int64_t Overlapping = 0;
+  std::int64_t Touching = 0;
+  std::vector<IntersectingPair> Pairs; ///< sorted; at most MaximumPairs of them are kept
+  std::vector<int> DefectOfTriangle;   ///< DefectCrossing, DefectOverlapping, DefectTouching
+  bool Complete = true;                ///< whether Pairs holds all that were counted
+
+  /// The surface runs through itself or lies on itself.
+  bool Any() const { return this->Crossing + this->Overlapping > 0; }
+};
+
+struct SelfIntersectionOptions
+{
+  int Threads = 0; ///< 0 = as many as the machine has; the result does not depend on it
+  /// Pairs to keep of each of the pieces in which the mesh is searched; the counts are always of
+  /// all.
+  std::int64_t MaximumPairsAPiece = 100000;
+};
+
+/**
+ * Connectivity is by index: triangles at equal coordinates under different indices, as a manifold
+ * cut leaves them, touch; they cross only where their inner points meet. Triangles without area are
+ * passed over.
+ *
+ * A pair is a local matter: where a surface passes through itself exactly along edges and corners
+ * of its own, no two triangles have inner points in common and all pairs merely touch.
+ *
+ * @throws Error where an index is out of range or a coordinate not finite; Aborted.
+ */
+SelfIntersections FindSelfIntersections(
+  const TriangleMesh& mesh, const SelfIntersectionOptions& options, Monitor& monitor);
+
+/// The same with default options.
+SelfIntersections FindSelfIntersections(const TriangleMesh& mesh, Monitor& monitor);
+}
+
+#endif

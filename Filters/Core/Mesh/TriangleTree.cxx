@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "TriangleTree.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace recon
+{
+namespace
+{
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+/// Spread the low 21 bits of x so that two zeros follow each.
+std::uint64_t SpreadBits(std::uint64_t x)
+{
+  x &= 0x1FFFFF;
+  x = (x | x << 32) & 0x1F00000000FFFFull;
+  x = (x | x << 16) & 0x1F0000FF0000FFull;
+  x = (x | x << 8) & 0x100F00F00F00F00Full;
+  x = (x | x << 4) & 0x10C30C30C30C30C3ull;
+  x = (x | x << 2) & 0x1249249249249249ull;
+  return x;
+}
+
+Point3 Along(const Point3& a, const Vector3& direction, double t)
+{
+  return a + t * direction;
+}
+
+double SquaredDistanceToSegment(const Point3& p, const Point3& a, const Point3& b)
+{
+  const Vector3 ab = b - a;
+  const double length = Dot(ab, ab);
+  const double t = length > 0 ? std::clamp(Dot(p - a, ab) / length, 0.0, 1.0) : 0.0;
+  const Vector3 rest = p - Along(a, ab, t);
+  return Dot(rest, rest);
+}
+
+/// Inside the prism over the triangle the distance to its plane, elsewhere that to its border.
+double SquaredDistanceToTriangle(const Point3& p, const Point3& a, const Point3& b, const Point3& c)
+{
+  const Vector3 normal = Cross(b - a, c - a);
+  const double squaredNorm = Dot(normal, normal);
+  const bool inside = squaredNorm > 0 && Dot(Cross(b - a, p - a), normal) >= 0 &&
+    Dot(Cross(c - b, p - b), normal) >= 0 && Dot(Cross(a - c, p - c), normal) >= 0;
+  if (inside)
+  {
+    const double height = Dot(p - a, normal);
+    return height * height / squaredNorm;
+  }
+  return std::min({ SquaredDistanceToSegment(p, a, b), SquaredDistanceToSegment(p, b, c),
+    SquaredDistanceToSegment(p, c, a) });
+}
+}
+
+TriangleTree::Box TriangleTree::EmptyBox()
+{
+  return { { Infinity, Infinity, Infinity }, { -Infinity, -Infinity, -Infinity } };
+}
+
+void TriangleTree::Box::Add(const Box& other)
+{
+  for (int k = 0; k < 3; ++k)
+  {
+    this->Low[k] = std::min(this->Low[k], other.Low[k]);
+    this->High[k] = std::max(this->High[k], other.High[k]);
+  }
+}
+
+double TriangleTree::Box::SquaredDistanceTo(const Point3& p) const
+{
+  double sum = 0;
+  for (int k = 0; k < 3; ++k)
+  {
+    const double gap = std::max({ this->Low[k] - p[k], p[k] - this->High[k], 0.0 });
+    sum += gap * gap;
+  }
+  return sum;
+}
+
+TriangleTree::TriangleTree(const TriangleMesh& mesh) : Mesh(mesh)
+{
+  this->SortTriangles();
+  this->BuildBoxes();
+}
+
+void TriangleTree::SortTriangles()
+{
+  const auto middleOf = [this](const std::array<int, 3>& t)
+  {
+    const auto& points = this->Mesh.Points;
+    return (1.0 / 3) * points[t[0]] + ((1.0 / 3) * points[t[1]] + (1.0 / 3) * points[t[2]]);
+  };
+  Box bounds = EmptyBox();
+  for (const auto& t : this->Mesh.Triangles)
+  {
+    const Point3 middle = middleOf(t);
+    bounds.Add({ middle, middle });
+  }
+  double size = 0;
+  for (int k = 0; k < 3; ++k)
+  {
+    size = std::max(size, bounds.High[k] - bounds.Low[k]);
+  }
+  const double scale = size > 0 ? 2097151.0 / size : 0;
+  std::vector<std::pair<std::uint64_t, int>> codes(this->Mesh.Triangles.size());
+  for (std::size_t t = 0; t < codes.size(); ++t)
+  {
+    const Point3 middle = middleOf(this->Mesh.Triangles[t]);
+    std::uint64_t code = 0;
+    for (int k = 0; k < 3; ++k)
+    {
+      code |= SpreadBits(static_cast<std::uint64_t>((middle[k] - bounds.Low[k]) * scale)) << k;
+    }
+    codes[t] = { code, static_cast<int>(t) };
+  }
+  std::sort(codes.begin(), codes.end());
+  this->Order.reserve(codes.size());
+  for (const auto& code : codes)
+  {
+    this->Order.push_back(code.second);
+  }
+}
+
+void TriangleTree::BuildBoxes()
+{
+  const int count = static_cast<int>(this->Order.size());
+  this->NumberOfLeaves = (count + LeafSize - 1) / LeafSize;
+  while (this->FirstLeaf < this->NumberOfLeaves)
+  {
+    this->FirstLeaf *= 2;
+  }
+  this->TriangleBoxes.reserve(count);
+  for (const int t : this->Order)
+  {
+    Box box = EmptyBox();
+    for (const int p : this->Mesh.Triangles[t])
+    {
+      box.Add({ this->Mesh.Points[p], this->Mesh.Points[p] });
+    }
+    this->TriangleBoxes.push_back(box);
+  }
+  this->Nodes.assign(2 * static_cast<std::size_t>(this->FirstLeaf), EmptyBox());
+  for (int i = 0; i < count; ++i)
+  {
+    this->Nodes[this->FirstLeaf + i / LeafSize].Add(this->TriangleBoxes[i]);
+  }
+  for (int node = this->FirstLeaf - 1; node > 0; --node)
+  {
+    this->Nodes[node].Add(this->Nodes[2 * node]);
+    this->Nodes[node].Add(this->Nodes[2 * node + 1]);
+  }
+}
+
+double TriangleTree::DistanceTo(const Point3& p, double limit) const
+{
+  double best = limit * limit;
+  std::pair<double, int> stack[128];
+  int size = 0;
+  const auto push = [&](int node)
+  {
+    const double d = this->Nodes[node].SquaredDistanceTo(p);
+    if (d < best)
+    {
+      stack[size++] = { d, node };
+    }
+  };
+  push(1);
+  while (size > 0)
+  {
+    const auto [distance, node] = stack[--size];
+    if (distance >= best)
+    {
+      continue;
+    }
+    if (node < this->FirstLeaf)
+    {
+      // The nearer child last, so that it is looked at first.
+      const bool leftIsNearer = this->Nodes[2 * node].SquaredDistanceTo(p) <=
+        this->Nodes[2 * node + 1].SquaredDistanceTo(p);
+      push(leftIsNearer ? 2 * node + 1 : 2 * node);
+      push(leftIsNearer ? 2 * node : 2 * node + 1);
+      continue;
+    }
+    const int leaf = node - this->FirstLeaf;
+    for (int i = this->FirstOfLeaf(leaf); i < this->EndOfLeaf(leaf); ++i)
+    {
+      const auto& t = this->Mesh.Triangles[this->Order[i]];
+      best = std::min(best,
+        SquaredDistanceToTriangle(
+          p, this->Mesh.Points[t[0]], this->Mesh.Points[t[1]], this->Mesh.Points[t[2]]));
+    }
+  }
+  return std::sqrt(best);
+}
+}

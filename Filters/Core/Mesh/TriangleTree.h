@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @file TriangleTree.h
+ * @brief A tree of boxes over the triangles of a mesh: which come close to each other, what is
+ * nearest to a point.
+ */
+#ifndef recon_TriangleTree_h
+#define recon_TriangleTree_h
+
+#include "TriangleMesh.h"
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace recon
+{
+/**
+ * Triangles in the order of a Morton curve, leaves of LeafSize of them, and over these a complete
+ * binary tree.
+ *
+ * Boxes are exact, so two triangles that meet always have boxes that meet. Queries are const and
+ * may run on any number of threads. The mesh must outlive the tree; coordinates must be finite.
+ */
+class TriangleTree
+{
+public:
+  static constexpr int LeafSize = 4;
+
+  explicit TriangleTree(const TriangleMesh& mesh);
+
+  int GetNumberOfLeaves() const { return this->NumberOfLeaves; }
+
+  /**
+   * Call visit(i, j) for every pair of triangles whose boxes meet, where i is in the leaf and j in
+   * the same or a later one, and i comes before j in the tree's order. Over all leaves: every pair
+   * once.
+   */
+  template <typename Visitor>
+  void VisitPairsOfLeaf(int leaf, const Visitor& visit) const;
+
+  /// Distance from p to the nearest triangle, never more than `limit`; infinite for an empty mesh.
+  double DistanceTo(const Point3& p, double limit) const;
+
+private:
+  struct Box
+  {
+    Point3 Low;
+    Point3 High;
+
+    bool Meets(const Box& other) const
+    {
+      return this->Low[0] <= other.High[0] && other.Low[0] <= this->High[0] &&
+        this->Low[1] <= other.High[1] && other.Low[1] <= this->High[1] &&
+        this->Low[2] <= other.High[2] && other.Low[2] <= this->High[2];
+    }
+    double SquaredDistanceTo(const Point3& p) const;
+    void Add(const Box& other);
+  };
+  static Box EmptyBox();
+
+  void SortTriangles();
+  void BuildBoxes();
+  int FirstOfLeaf(int leaf) const { return leaf * LeafSize; }
+  int EndOfLeaf(int leaf) const
+  {
+    const int end = (leaf + 1) * LeafSize;
+    const int count = static_cast<int>(this->Order.size());
+    return end < count ? end : count;
+  }
+
+  const TriangleMesh& Mesh;
+  std::vector<int> Order;         ///< triangles along the curve
+  std::vector<Box> TriangleBoxes; ///< in that order
+  /// Node 1 is the root, 2n and 2n+1 are the children of n; leaf l is node FirstLeaf + l.
+  std::vector<Box> Nodes;
+  int NumberOfLeaves = 0;
+  int FirstLeaf = 1;
+};
+
+template <typename Visitor>
+void TriangleTree::VisitPairsOfLeaf(int leaf, const Visitor& visit) const
+{
+  const Box& box = this->Nodes[this->FirstLeaf + leaf];
+  const auto visitLeaf = [&](int other)
+  {
+    for (int i = this->FirstOfLeaf(leaf); i < this->EndOfLeaf(leaf); ++i)
+    {
+      for (int j = other == leaf ? i + 1 : this->FirstOfLeaf(other); j < this->EndOfLeaf(other);
+           ++j)
+      {
+        if (this->TriangleBoxes[i].Meets(this->TriangleBoxes[j]))
+        {
+          visit(this->Order[i], this->Order[j]);
+        }
+      }
+    }
+  };
+  // Up from the leaf: at every node that is a left child, down into its sibling, which holds later
+  // leaves only.
+  visitLeaf(leaf);
+  for (int node = this->FirstLeaf + leaf; node > 1; node /= 2)
+  {
+    if (node % 2 != 0)
+    {
+      continue;
+    }
+    int stack[64];
+    int size = 0;
+    stack[size++] = node + 1;
+    while (size > 0)
+    {
+      const int n = stack[--size];
+      if (!this->Nodes[n].Meets(box))
+      {
+        continue;
+      }
+      if (n >= this->FirstLeaf)
+      {
+        visitLeaf(n - this->FirstLeaf);
+        continue;
+      }
+      stack[size++] = 2 * n + 1;
+      stack[size++] = 2 * n;
+    }
+  }
+}
+}
+
+#endif
