@@ -1,0 +1,513 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ContourChaining.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <tuple>
+#include <utility>
+
+namespace recon
+{
+namespace
+{
+// Beyond this, products of coordinates in exact predicates could overflow.
+constexpr double LargestCoordinate = 1e60;
+
+std::size_t Index(int i)
+{
+  return static_cast<std::size_t>(i);
+}
+
+/// An open polyline, with the node at either end.
+struct Piece
+{
+  std::vector<int> Points;
+  int Source = -1;
+  std::array<int, 2> Node{ -1, -1 };
+};
+
+double Distance(const Point3& a, const Point3& b)
+{
+  return Norm(a - b);
+}
+
+/// Walks a graph whose edges are pieces, cutting off rings on the way.
+class PieceWalker
+{
+public:
+  PieceWalker(const LoopSoup& soup, std::vector<Piece> pieces)
+    : Soup(soup),
+      Pieces(std::move(pieces)),
+      Used(this->Pieces.size(), false)
+  {
+    int nodeCount = 0;
+    for (const Piece& piece : this->Pieces)
+    {
+      nodeCount = std::max({ nodeCount, piece.Node[0] + 1, piece.Node[1] + 1 });
+    }
+    this->At.resize(Index(nodeCount));
+    this->Position.assign(Index(nodeCount), -1);
+    for (std::size_t i = 0; i < this->Pieces.size(); ++i)
+    {
+      this->At[Index(this->Pieces[i].Node[0])].push_back({ static_cast<int>(i), 0 });
+      this->At[Index(this->Pieces[i].Node[1])].push_back({ static_cast<int>(i), 1 });
+    }
+  }
+
+  /// Rings are appended to rings; what stays open is returned, chained as far as it goes.
+  std::vector<Piece> Walk(std::vector<Ring>& rings, Monitor& monitor)
+  {
+    // An open tail is walked from its loose end, so that it is reported as one contour.
+    for (std::size_t n = 0; n < this->At.size(); ++n)
+    {
+      if (this->At[n].size() % 2 == 1)
+      {
+        this->WalkFrom(this->At[n][0], rings);
+      }
+    }
+    for (std::size_t i = 0; i < this->Pieces.size(); ++i)
+    {
+      if (i % 65536 == 0)
+      {
+        monitor.Update(0.1, "chaining contours");
+      }
+      this->WalkFrom({ static_cast<int>(i), 0 }, rings);
+    }
+    return std::move(this->Open);
+  }
+
+private:
+  struct Step
+  {
+    int Id;
+    int From; ///< 0: walked from its first point on, 1: from its last
+  };
+
+  int StartNode(Step s) const { return this->Pieces[Index(s.Id)].Node[Index(s.From)]; }
+  int EndNode(Step s) const { return this->Pieces[Index(s.Id)].Node[Index(1 - s.From)]; }
+
+  /// Unit direction in which the step leaves its start, or arrives at its end.
+  Vector3 Direction(Step s, bool arriving) const
+  {
+    const std::vector<int>& p = this->Pieces[Index(s.Id)].Points;
+    const bool atBack = (s.From == 1) != arriving;
+    const Point3& end = this->Soup.Points[Index(atBack ? p.back() : p.front())];
+    const Point3& next = this->Soup.Points[Index(atBack ? p[p.size() - 2] : p[1])];
+    const Vector3 d = arriving ? end - next : next - end;
+    const double length = Norm(d);
+    return length > 0 ? (1 / length) * d : d;
+  }
+
+  Step StraightestAfter(Step s)
+  {
+    Step best{ -1, 0 };
+    double bestCosine = -2;
+    std::vector<Step>& candidates = this->At[Index(this->EndNode(s))];
+    candidates.erase(std::remove_if(candidates.begin(), candidates.end(),
+                       [this](Step c) { return static_cast<bool>(this->Used[Index(c.Id)]); }),
+      candidates.end());
+    if (candidates.size() == 1)
+    {
+      return candidates[0];
+    }
+    const Vector3 arrival = this->Direction(s, true);
+    for (Step c : candidates)
+    {
+      const double cosine = Dot(arrival, this->Direction(c, false));
+      if (cosine > bestCosine)
+      {
+        bestCosine = cosine;
+        best = c;
+      }
+    }
+    return best;
+  }
+
+  void WalkFrom(Step s, std::vector<Ring>& rings)
+  {
+    if (this->Used[Index(s.Id)])
+    {
+      return;
+    }
+    std::vector<Step> path;
+    const int origin = this->StartNode(s);
+    this->Position[Index(origin)] = 0;
+    while (s.Id >= 0)
+    {
+      this->Used[Index(s.Id)] = true;
+      path.push_back(s);
+      const int node = this->EndNode(s);
+      int& position = this->Position[Index(node)];
+      if (position >= 0)
+      {
+        this->CutRing(path, static_cast<std::size_t>(position), rings);
+      }
+      else
+      {
+        position = static_cast<int>(path.size());
+      }
+      s = this->StraightestAfter(s);
+    }
+    this->Position[Index(origin)] = -1;
+    for (Step p : path)
+    {
+      this->Position[Index(this->EndNode(p))] = -1;
+    }
+    if (!path.empty())
+    {
+      this->Open.push_back(this->Join(path, 0, false));
+    }
+  }
+
+  void CutRing(std::vector<Step>& path, std::size_t from, std::vector<Ring>& rings)
+  {
+    for (std::size_t i = from; i + 1 < path.size(); ++i)
+    {
+      this->Position[Index(this->EndNode(path[i]))] = -1;
+    }
+    Piece joined = this->Join(path, from, true);
+    rings.push_back({ std::move(joined.Points), joined.Source });
+    path.resize(from);
+  }
+
+  Piece Join(const std::vector<Step>& path, std::size_t from, bool closed) const
+  {
+    Piece joined;
+    for (std::size_t i = from; i < path.size(); ++i)
+    {
+      const Piece& piece = this->Pieces[Index(path[i].Id)];
+      std::vector<int> points = piece.Points;
+      if (path[i].From == 1)
+      {
+        std::reverse(points.begin(), points.end());
+      }
+      // The first point of a piece is the last of the one before: the earlier one stays.
+      const auto skip = static_cast<std::ptrdiff_t>(joined.Points.empty() ? 0 : 1);
+      joined.Points.insert(joined.Points.end(), points.begin() + skip, points.end());
+      joined.Source = joined.Source < 0 ? piece.Source : std::min(joined.Source, piece.Source);
+    }
+    if (closed)
+    {
+      joined.Points.pop_back();
+    }
+    return joined;
+  }
+
+  const LoopSoup& Soup;
+  std::vector<Piece> Pieces;
+  std::vector<bool> Used;
+  std::vector<std::vector<Step>> At;
+  std::vector<int> Position;
+  std::vector<Piece> Open;
+};
+
+/// Nodes are the indices of the end points, made small.
+void NumberByIndex(std::vector<Piece>& pieces)
+{
+  std::vector<int> ends;
+  for (const Piece& piece : pieces)
+  {
+    ends.push_back(piece.Points.front());
+    ends.push_back(piece.Points.back());
+  }
+  std::sort(ends.begin(), ends.end());
+  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+  const auto number = [&ends](int p)
+  { return static_cast<int>(std::lower_bound(ends.begin(), ends.end(), p) - ends.begin()); };
+  for (Piece& piece : pieces)
+  {
+    piece.Node = { number(piece.Points.front()), number(piece.Points.back()) };
+  }
+}
+
+/// Nodes are the distinct coordinates of the end points.
+void NumberByCoordinates(const LoopSoup& soup, std::vector<Piece>& pieces)
+{
+  std::vector<Point3> ends;
+  for (const Piece& piece : pieces)
+  {
+    ends.push_back(soup.Points[Index(piece.Points.front())]);
+    ends.push_back(soup.Points[Index(piece.Points.back())]);
+  }
+  std::sort(ends.begin(), ends.end());
+  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+  const auto number = [&](int p)
+  {
+    return static_cast<int>(
+      std::lower_bound(ends.begin(), ends.end(), soup.Points[Index(p)]) - ends.begin());
+  };
+  for (Piece& piece : pieces)
+  {
+    piece.Node = { number(piece.Points.front()), number(piece.Points.back()) };
+  }
+}
+
+/// Pairs of loose ends within tolerance, nearest first, become one node each.
+class EndMatcher
+{
+public:
+  EndMatcher(const LoopSoup& soup, std::vector<Piece>& pieces, double tolerance)
+    : Soup(soup),
+      Pieces(pieces),
+      Tolerance(tolerance)
+  {
+  }
+
+  void Number()
+  {
+    for (std::size_t i = 0; i < this->Pieces.size(); ++i)
+    {
+      this->Pieces[i].Node = { static_cast<int>(2 * i), static_cast<int>(2 * i + 1) };
+    }
+    if (!(this->Tolerance > 0))
+    {
+      return;
+    }
+    std::vector<std::tuple<double, int, int>> pairs = this->NearPairs();
+    std::sort(pairs.begin(), pairs.end());
+    std::vector<bool> taken(2 * this->Pieces.size(), false);
+    for (const auto& [distance, a, b] : pairs)
+    {
+      if (!taken[Index(a)] && !taken[Index(b)])
+      {
+        taken[Index(a)] = taken[Index(b)] = true;
+        this->Pieces[Index(b / 2)].Node[Index(b % 2)] = a;
+      }
+    }
+  }
+
+private:
+  using Cell = std::array<std::int64_t, 3>;
+
+  const Point3& End(int e) const
+  {
+    const std::vector<int>& p = this->Pieces[Index(e / 2)].Points;
+    return this->Soup.Points[Index(e % 2 == 0 ? p.front() : p.back())];
+  }
+
+  Cell CellOf(const Point3& p) const
+  {
+    // The tolerance is a fraction of the size, but coordinates may lie far from the origin.
+    const Point3& o = this->End(0);
+    Cell c{};
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      c[k] = static_cast<std::int64_t>(std::floor((p[k] - o[k]) / this->Tolerance));
+    }
+    return c;
+  }
+
+  std::vector<std::tuple<double, int, int>> NearPairs() const
+  {
+    std::map<Cell, std::vector<int>> grid;
+    std::vector<std::tuple<double, int, int>> pairs;
+    for (int e = 0; e < static_cast<int>(2 * this->Pieces.size()); ++e)
+    {
+      const Cell c = this->CellOf(this->End(e));
+      for (int n = 0; n < 27; ++n)
+      {
+        const auto found = grid.find({ c[0] + n % 3 - 1, c[1] + n / 3 % 3 - 1, c[2] + n / 9 - 1 });
+        if (found == grid.end())
+        {
+          continue;
+        }
+        for (int other : found->second)
+        {
+          this->AddPair(other, e, pairs);
+        }
+      }
+      grid[c].push_back(e);
+    }
+    return pairs;
+  }
+
+  void AddPair(int a, int b, std::vector<std::tuple<double, int, int>>& pairs) const
+  {
+    const double distance = Distance(this->End(a), this->End(b));
+    const bool ownSegment = a / 2 == b / 2 && this->Pieces[Index(a / 2)].Points.size() < 4;
+    if (distance <= this->Tolerance && !ownSegment)
+    {
+      pairs.emplace_back(distance, a, b);
+    }
+  }
+
+  const LoopSoup& Soup;
+  std::vector<Piece>& Pieces;
+  double Tolerance;
+};
+
+/// A segment that is given twice is one segment: two faces of a mesh that was cut along their edge.
+void DropRepeatedSegments(std::vector<Piece>& pieces, ContourNotes& notes)
+{
+  std::set<std::pair<int, int>> seen;
+  std::vector<Piece> kept;
+  std::size_t dropped = 0;
+  int source = -1;
+  int place = -1;
+  for (Piece& piece : pieces)
+  {
+    const std::pair<int, int> nodes = std::minmax(piece.Node[0], piece.Node[1]);
+    if (piece.Points.size() == 2 && !seen.insert(nodes).second)
+    {
+      source = dropped == 0 ? piece.Source : source;
+      place = dropped == 0 ? piece.Points[0] : place;
+      ++dropped;
+      continue;
+    }
+    kept.push_back(std::move(piece));
+  }
+  if (dropped > 0)
+  {
+    notes.Add(source, 2, place,
+      Counted(dropped, "loose segment") + ", this being the first, repeated another one and " +
+        (dropped == 1 ? "was" : "were") + " left out");
+  }
+  pieces = std::move(kept);
+}
+
+bool Usable(const LoopSoup& soup, const LoopSoup::Chain& chain, ContourNotes& notes)
+{
+  int good = -1;
+  const char* bad = nullptr;
+  for (int p : chain.Points)
+  {
+    if (p < 0 || Index(p) >= soup.Points.size())
+    {
+      bad = "refers to a point that does not exist; left out";
+      break;
+    }
+    const Point3& x = soup.Points[Index(p)];
+    if (!std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]))
+    {
+      bad = "has a coordinate that is not a finite number; left out";
+    }
+    else if (Norm(x) > LargestCoordinate)
+    {
+      bad = "has a coordinate beyond 1e60; left out";
+    }
+    else
+    {
+      good = p;
+    }
+  }
+  if (bad)
+  {
+    notes.Add(chain.Source, chain.Points.size(), good, bad);
+  }
+  return !bad;
+}
+
+/// Takes out points that equal the one before; true where the ring is still a ring.
+bool CleanRing(const LoopSoup& soup, Ring& ring, ContourNotes& notes)
+{
+  const auto same = [&soup](int a, int b)
+  { return soup.Points[Index(a)] == soup.Points[Index(b)]; };
+  std::vector<int>& p = ring.Points;
+  const std::size_t given = p.size();
+  const int place = p.empty() ? -1 : p[0];
+  // That the first point is repeated at the end is a way of writing, not a fault.
+  if (p.size() > 1 && same(p.front(), p.back()))
+  {
+    p.pop_back();
+  }
+  const std::size_t before = p.size();
+  p.erase(std::unique(p.begin(), p.end(), same), p.end());
+  while (p.size() > 1 && same(p.front(), p.back()))
+  {
+    p.pop_back();
+  }
+  const std::size_t removed = before - p.size();
+  if (p.size() < 3)
+  {
+    notes.Add(ring.Source, given, place,
+      "has only " + Counted(p.size(), "distinct point") + ", which enclose nothing; left out");
+    return false;
+  }
+  if (removed > 0)
+  {
+    notes.Add(ring.Source, given, place,
+      Counted(removed, "point") + " equal to the one before " + (removed == 1 ? "was" : "were") +
+        " removed");
+  }
+  return true;
+}
+
+/// Closed chains go to rings, open ones to pieces, what is neither to notes.
+void Separate(
+  const LoopSoup& soup, std::vector<Ring>& rings, std::vector<Piece>& pieces, ContourNotes& notes)
+{
+  for (const LoopSoup::Chain& chain : soup.Chains)
+  {
+    if (!Usable(soup, chain, notes))
+    {
+      continue;
+    }
+    const std::vector<int>& p = chain.Points;
+    const bool returns =
+      p.size() > 1 && soup.Points[Index(p.front())] == soup.Points[Index(p.back())];
+    if (chain.Closed || returns || p.size() < 2)
+    {
+      rings.push_back({ p, chain.Source });
+      continue;
+    }
+    pieces.push_back({ p, chain.Source, {} });
+  }
+}
+
+void NoteOpen(const LoopSoup& soup, const std::vector<Piece>& pieces, ContourNotes& notes)
+{
+  for (const Piece& piece : pieces)
+  {
+    const double gap =
+      Distance(soup.Points[Index(piece.Points.front())], soup.Points[Index(piece.Points.back())]);
+    notes.Add(piece.Source, piece.Points.size(), piece.Points[0],
+      "is open, its ends are " + ShortNumber(gap) + " apart; left out");
+  }
+}
+}
+
+std::vector<Ring> ChainRings(
+  const LoopSoup& soup, double tolerance, ContourNotes& notes, Monitor& monitor)
+{
+  monitor.Update(0, "chaining contours");
+  std::vector<Ring> rings;
+  std::vector<Piece> pieces;
+  Separate(soup, rings, pieces, notes);
+
+  if (!pieces.empty())
+  {
+    NumberByIndex(pieces);
+    DropRepeatedSegments(pieces, notes);
+    pieces = PieceWalker(soup, std::move(pieces)).Walk(rings, monitor);
+  }
+  if (!pieces.empty())
+  {
+    NumberByCoordinates(soup, pieces);
+    DropRepeatedSegments(pieces, notes);
+    pieces = PieceWalker(soup, std::move(pieces)).Walk(rings, monitor);
+  }
+  if (!pieces.empty())
+  {
+    EndMatcher(soup, pieces, tolerance).Number();
+    const std::size_t before = rings.size();
+    pieces = PieceWalker(soup, std::move(pieces)).Walk(rings, monitor);
+    for (std::size_t i = before; i < rings.size(); ++i)
+    {
+      notes.Add(rings[i].Source, rings[i].Points.size(), rings[i].Points[0],
+        "was closed where ends lay within " + ShortNumber(tolerance) + " of each other");
+    }
+  }
+  NoteOpen(soup, pieces, notes);
+
+  std::stable_sort(
+    rings.begin(), rings.end(), [](const Ring& a, const Ring& b) { return a.Source < b.Source; });
+  rings.erase(std::remove_if(rings.begin(), rings.end(),
+                [&](Ring& ring) { return !CleanRing(soup, ring, notes); }),
+    rings.end());
+  return rings;
+}
+}

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @file ContourChaining.h
+ * @brief Closed rings out of closed loops, polylines and loose segments.
+ */
+#ifndef recon_ContourChaining_h
+#define recon_ContourChaining_h
+
+#include "../Monitor.h"
+#include "ContourNotes.h"
+#include "ContourSet.h"
+
+#include <vector>
+
+namespace recon
+{
+/// A closed walk through points of the input; it may still touch or cross itself.
+struct Ring
+{
+  std::vector<int> Points; ///< indices into LoopSoup::Points, at least 3, neighbours differ
+  int Source = -1;         ///< input cell (the first, where pieces were chained)
+};
+
+/**
+ * Closes what can be closed; what cannot is named in notes.
+ *
+ * Ends of loose pieces are matched by index first, then by bit-equal coordinates, then within
+ * tolerance: ends that share an index belong together even where a contour of another plane passes
+ * through the same point. Where more than two pieces meet the walk goes as straight on as it can,
+ * and cuts off a ring whenever it comes back to a point that it has passed.
+ *
+ * @param tolerance largest gap between two ends that is closed, in the input's units
+ */
+std::vector<Ring> ChainRings(
+  const LoopSoup& soup, double tolerance, ContourNotes& notes, Monitor& monitor);
+}
+
+#endif

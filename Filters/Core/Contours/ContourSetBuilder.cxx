@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ContourSetBuilder.h"
+
+#include "ContourChaining.h"
+#include "ContourNotes.h"
+#include "ContourPlanes.h"
+#include "EvenOddRule.h"
+#include "NestingForest.h"
+#include "PlanarRings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+namespace recon
+{
+namespace
+{
+std::size_t Index(int i)
+{
+  return static_cast<std::size_t>(i);
+}
+
+/// Diagonal of the box around all finite points that chains use.
+double SizeOf(const LoopSoup& soup)
+{
+  Point3 low{ 0, 0, 0 };
+  Point3 high{ 0, 0, 0 };
+  bool any = false;
+  for (const LoopSoup::Chain& chain : soup.Chains)
+  {
+    for (int p : chain.Points)
+    {
+      if (p < 0 || Index(p) >= soup.Points.size() || !std::isfinite(Norm(soup.Points[Index(p)])))
+      {
+        continue;
+      }
+      const Point3& x = soup.Points[Index(p)];
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        low[k] = any ? std::min(low[k], x[k]) : x[k];
+        high[k] = any ? std::max(high[k], x[k]) : x[k];
+      }
+      any = true;
+    }
+  }
+  return Norm(high - low);
+}
+
+/// What was the matter with loops that had to be resolved, in brackets.
+std::string Findings(const EvenOddCluster& cluster)
+{
+  std::string text;
+  const auto add = [&text](std::size_t count, const char* noun, const char* what)
+  {
+    if (count > 0)
+    {
+      text += (text.empty() ? " (" : ", ") + Counted(count, noun) + what;
+    }
+  };
+  add(cluster.Crossings, "crossing", "");
+  add(cluster.OnEdge, "point", " on an edge");
+  add(cluster.Cancelled, "edge", " walked more than once");
+  add(cluster.Shared, "point", " passed again");
+  return text.empty() ? text : text + ")";
+}
+
+class Builder
+{
+public:
+  Builder(const LoopSoup& soup, const ContourSetOptions& options, Monitor& monitor)
+    : Soup(soup),
+      Options(options),
+      Progress(monitor),
+      Notes(soup)
+  {
+  }
+
+  ContourSet Build()
+  {
+    const double fraction = this->Options.PlaneTolerance;
+    if (!(fraction >= 0 && fraction < 1))
+    {
+      throw Error(
+        "The plane tolerance is a fraction of the contours' size: give a number from 0 to "
+        "below 1 instead of " +
+        ShortNumber(fraction) + ".");
+    }
+    const double tolerance = fraction * SizeOf(this->Soup);
+    this->Rings = ChainRings(this->Soup, tolerance, this->Notes, this->Progress);
+    const PlaneGrouping grouping = GroupByPlane(
+      this->Soup, this->Rings, this->Options.Parallel, tolerance, this->Notes, this->Progress);
+    this->Set.Parallel = grouping.Parallel;
+    const auto count = static_cast<double>(grouping.Planes.size());
+    for (std::size_t i = 0; i < grouping.Planes.size(); ++i)
+    {
+      this->Progress.Update(0.3 + 0.7 * static_cast<double>(i) / count, "resolving contours");
+      this->AddLevel(grouping.Planes[i]);
+    }
+    std::optional<PlanarFrame> common;
+    if (grouping.Parallel && !grouping.Planes.empty())
+    {
+      common = grouping.Planes[0].Frame;
+    }
+    this->Set.Report = this->Notes.Sentences(common);
+    this->ThrowWhereEmpty();
+    this->Progress.Update(1, "resolving contours");
+    return std::move(this->Set);
+  }
+
+private:
+  void ThrowWhereEmpty() const
+  {
+    if (!this->Set.Contours.empty())
+    {
+      return;
+    }
+    if (this->Soup.Chains.empty())
+    {
+      throw Error("There are no contours: give closed polylines, polygons or loose segments.");
+    }
+    const std::size_t more = this->Set.Report.size() - 1;
+    throw Error("No usable contour is left. " + this->Set.Report.front() +
+      (more > 0 ? " (And " + Counted(more, "more sentence") + " like this.)" : ""));
+  }
+
+  void AddLevel(const PlaneOfRings& plane)
+  {
+    PlanarRings rings = FlattenLevel(this->Soup, this->Rings, plane, this->Notes);
+    EvenOddResult result;
+    try
+    {
+      result = ApplyEvenOddRule(rings.Points, rings.Loops);
+    }
+    catch (const Error& error)
+    {
+      // One level that cannot be resolved must not take the others down.
+      std::vector<int> all(rings.Loops.size());
+      std::iota(all.begin(), all.end(), 0);
+      this->NoteLoops(rings, all, std::string("cannot be resolved: ") + error.what());
+      return;
+    }
+    for (const EvenOddCluster& cluster : result.Clusters)
+    {
+      this->NoteCluster(rings, cluster);
+    }
+    this->AddContours(plane, rings, result);
+  }
+
+  void NoteLoops(const PlanarRings& rings, const std::vector<int>& loops, const std::string& what)
+  {
+    std::vector<int> sources;
+    std::size_t points = 0;
+    for (int l : loops)
+    {
+      const Ring& ring = this->Rings[Index(rings.Rings[Index(l)])];
+      points += ring.Points.size();
+      if (std::find(sources.begin(), sources.end(), ring.Source) == sources.end())
+      {
+        sources.push_back(ring.Source);
+      }
+    }
+    const Ring& first = this->Rings[Index(rings.Rings[Index(loops[0])])];
+    this->Notes.Add(std::move(sources), points, first.Points[0], what);
+  }
+
+  void NoteCluster(const PlanarRings& rings, const EvenOddCluster& cluster)
+  {
+    if (!cluster.Changed)
+    {
+      return;
+    }
+    const bool alone = cluster.Loops.size() == 1;
+    if (cluster.Results == 0)
+    {
+      this->NoteLoops(rings, cluster.Loops,
+        (alone ? "encloses no area" : "cancel one another under the even-odd rule") +
+          Findings(cluster) + "; left out");
+      return;
+    }
+    this->NoteLoops(rings, cluster.Loops,
+      (alone ? "touches or crosses itself" : "touch or cross one another") + Findings(cluster) +
+        "; resolved by the even-odd rule into " + Counted(cluster.Results, "contour"));
+    for (int l : cluster.Vanished)
+    {
+      this->NoteLoops(rings, { l }, "vanishes under the even-odd rule; left out");
+    }
+  }
+
+  /// Turns the loops the way their depth asks for and appends them as a level.
+  void AddContours(const PlaneOfRings& plane, const PlanarRings& rings, EvenOddResult& result)
+  {
+    std::vector<std::vector<int>> loops;
+    std::vector<double> areas;
+    std::vector<int> sources;
+    for (EvenOddResult::Loop& loop : result.Loops)
+    {
+      const double area = SignedAreaOf(rings.Points, loop.Points);
+      if (!std::isnormal(area))
+      {
+        this->NoteLoops(
+          rings, { loop.Origin }, "encloses an area too small for a number; left out");
+        continue;
+      }
+      if (area < 0)
+      {
+        std::reverse(loop.Points.begin() + 1, loop.Points.end());
+      }
+      areas.push_back(std::abs(area));
+      loops.push_back(std::move(loop.Points));
+      sources.push_back(this->Rings[Index(rings.Rings[Index(loop.Origin)])].Source);
+    }
+    if (loops.empty())
+    {
+      return;
+    }
+    const NestingForest forest = BuildNestingForest(rings.Points, loops);
+    const int firstContour = static_cast<int>(this->Set.Contours.size());
+    Level level;
+    level.Frame = plane.Frame;
+    level.Offset = plane.Offset;
+    std::vector<int> pointMap(rings.Points.size(), -1);
+    for (std::size_t l = 0; l < loops.size(); ++l)
+    {
+      Contour contour;
+      contour.Level = static_cast<int>(this->Set.Levels.size());
+      contour.Depth = forest.Depth[l];
+      contour.Parent = forest.Parent[l] < 0 ? -1 : firstContour + forest.Parent[l];
+      contour.Source = sources[l];
+      const bool hole = contour.Depth % 2 == 1;
+      contour.SignedArea = hole ? -areas[l] : areas[l];
+      if (hole)
+      {
+        std::reverse(loops[l].begin() + 1, loops[l].end());
+      }
+      for (int p : loops[l])
+      {
+        contour.Points.push_back(this->PointOf(p, level, rings, pointMap));
+      }
+      level.Contours.push_back(firstContour + static_cast<int>(l));
+      this->Set.Contours.push_back(std::move(contour));
+    }
+    this->Set.Levels.push_back(std::move(level));
+  }
+
+  int PointOf(int p, const Level& level, const PlanarRings& rings, std::vector<int>& pointMap)
+  {
+    int& mapped = pointMap[Index(p)];
+    if (mapped < 0)
+    {
+      mapped = static_cast<int>(this->Set.Points.size());
+      const Point2& planar = rings.Points[Index(p)];
+      const bool given = Index(p) < rings.InputPoint.size();
+      this->Set.Planar.push_back(planar);
+      this->Set.Points.push_back(given ? this->Soup.Points[Index(rings.InputPoint[Index(p)])]
+                                       : level.Frame.ToSpace(planar, level.Offset));
+    }
+    return mapped;
+  }
+
+  const LoopSoup& Soup;
+  const ContourSetOptions& Options;
+  Monitor& Progress;
+  ContourNotes Notes;
+  std::vector<Ring> Rings;
+  ContourSet Set;
+};
+}
+
+ContourSet BuildContourSet(const LoopSoup& soup, const ContourSetOptions& options, Monitor& monitor)
+{
+  return Builder(soup, options, monitor).Build();
+}
+}

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @file EdgeConflicts.h
+ * @brief Where edges of a plane meet other than in a common end point.
+ */
+#ifndef recon_EdgeConflicts_h
+#define recon_EdgeConflicts_h
+
+#include "../Geometry.h"
+
+#include <vector>
+
+namespace recon
+{
+/// An edge between two points of a level.
+struct PlanarEdge
+{
+  int A = -1;
+  int B = -1;
+  int Loop = -1; ///< the loop it came from
+};
+
+struct EdgeConflicts
+{
+  /// The inner points of two edges cross.
+  struct Crossing
+  {
+    int First, Second; ///< edges
+  };
+  /// An end point of one edge lies inside another.
+  struct Touch
+  {
+    int Edge;   ///< the edge that has the point inside
+    int Other;  ///< the edge that ends there
+    int Vertex; ///< the point
+  };
+  std::vector<Crossing> Crossings;
+  std::vector<Touch> Touches;
+
+  bool Empty() const { return this->Crossings.empty() && this->Touches.empty(); }
+};
+
+/**
+ * All of them, by exact predicates, in an order that does not depend on the search.
+ *
+ * Points have distinct coordinates, edges distinct pairs of end points.
+ */
+EdgeConflicts FindEdgeConflicts(
+  const std::vector<Point2>& points, const std::vector<PlanarEdge>& edges);
+
+/// Where the lines of two edges meet: computed exactly, then rounded once.
+Point2 CrossingPoint(const Point2& a, const Point2& b, const Point2& c, const Point2& d);
+}
+
+#endif
