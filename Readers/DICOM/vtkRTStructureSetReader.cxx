@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkRTStructureSetReader.h"
+
+#include "ContourOutput.h"
+#include "StructureSetFile.h"
+
+#include "vtkCellData.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataArraySelection.h"
+#include "vtkErrorCode.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkIntArray.h"
+#include "vtkObjectFactory.h"
+#include "vtkPartitionedDataSet.h"
+#include "vtkPartitionedDataSetCollection.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+
+vtkStandardNewMacro(vtkRTStructureSetReader);
+
+namespace
+{
+/// Maps the progress of one ROI into its share of the whole.
+class ShareMonitor : public recon::Monitor
+{
+public:
+  explicit ShareMonitor(recon::Monitor& whole) : Whole(whole) {}
+  void SetShare(double begin, double end)
+  {
+    this->Begin = begin;
+    this->End = end;
+  }
+  bool AbortRequested() override { return this->Whole.AbortRequested(); }
+
+protected:
+  void OnProgress(double fraction, const char* stage) override
+  {
+    this->Whole.Update(this->Begin + fraction * (this->End - this->Begin), stage);
+  }
+
+private:
+  recon::Monitor& Whole;
+  double Begin = 0;
+  double End = 1;
+};
+
+void AddString(const char* name, const std::string& value, vtkFieldData* fieldData)
+{
+  vtkNew<vtkStringArray> array;
+  array->SetName(name);
+  array->InsertNextValue(value);
+  fieldData->AddArray(array);
+}
+
+void AddROIFieldData(const recon::StructureSetROI& roi, vtkFieldData* fieldData)
+{
+  AddString("ROIName", roi.Name, fieldData);
+  AddString("ROIType", roi.Type, fieldData);
+  vtkNew<vtkIntArray> number;
+  number->SetName("ROINumber");
+  number->InsertNextValue(roi.Number);
+  fieldData->AddArray(number);
+  if (!roi.HasColor)
+  {
+    return;
+  }
+  vtkNew<vtkUnsignedCharArray> color;
+  color->SetName("ROIColor");
+  color->SetNumberOfComponents(3);
+  color->InsertNextTuple3(roi.Color[0], roi.Color[1], roi.Color[2]);
+  fieldData->AddArray(color);
+}
+
+void FillBlock(const recon::StructureSetContours& contours, vtkPolyData* block)
+{
+  const std::vector<int> chains = recon::FillPolyData(contours.File.Soup, block);
+  vtkNew<vtkStringArray> types;
+  types->SetName("GeometricType");
+  vtkNew<vtkIntArray> numbers;
+  numbers->SetName("ContourNumber");
+  for (const int chain : chains)
+  {
+    types->InsertNextValue(contours.GeometricTypes[chain]);
+    numbers->InsertNextValue(contours.File.Soup.Chains[chain].Source + 1);
+  }
+  block->GetCellData()->AddArray(types);
+  block->GetCellData()->AddArray(numbers);
+  recon::AddReport(contours.File.Report, block->GetFieldData());
+}
+}
+
+vtkRTStructureSetReader::vtkRTStructureSetReader()
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+vtkRTStructureSetReader::~vtkRTStructureSetReader()
+{
+  this->SetFileName(nullptr);
+}
+
+void vtkRTStructureSetReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << endl;
+  os << indent << "ROISelection:" << endl;
+  this->ROISelection->PrintSelf(os, indent.GetNextIndent());
+}
+
+vtkDataArraySelection* vtkRTStructureSetReader::GetROISelection()
+{
+  return this->ROISelection;
+}
+
+vtkMTimeType vtkRTStructureSetReader::GetMTime()
+{
+  return std::max(this->Superclass::GetMTime(), this->ROISelection->GetMTime());
+}
+
+int vtkRTStructureSetReader::CanReadFile(const char* fileName)
+{
+  try
+  {
+    return fileName && recon::StructureSetFile::IsStructureSet(fileName) ? 1 : 0;
+  }
+  catch (const std::exception&)
+  {
+    return 0; // whatever it is, it is nothing that this reader can read
+  }
+}
+
+void vtkRTStructureSetReader::UpdateSelection(const std::vector<std::string>& names)
+{
+  const auto isListed = [&names](const char* name)
+  { return std::find(names.begin(), names.end(), name) != names.end(); };
+  // Names that are left from another file say nothing; names that the user chose for this one do.
+  const bool isOtherFile = !this->ListedFile.empty() && this->ListedFile != this->FileName;
+  if (isOtherFile)
+  {
+    this->UnknownSelected.clear();
+  }
+  for (int i = this->ROISelection->GetNumberOfArrays() - 1; i >= 0; --i)
+  {
+    const std::string name = this->ROISelection->GetArrayName(i);
+    if (isListed(name.c_str()))
+    {
+      continue;
+    }
+    if (!isOtherFile && this->ROISelection->GetArraySetting(i))
+    {
+      this->UnknownSelected.push_back(name);
+    }
+    this->ROISelection->RemoveArrayByName(name.c_str());
+  }
+  for (const std::string& name : names)
+  {
+    this->ROISelection->AddArray(name.c_str()); // keeps the setting of one that is there
+  }
+  this->ListedFile = this->FileName;
+}
+
+int vtkRTStructureSetReader::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  // The pipeline stops here where this fails; what an earlier file left must not pose as this one's.
+  if (auto* output = vtkPartitionedDataSetCollection::GetData(outputVector))
+  {
+    output->Initialize();
+  }
+  if (!this->FileName || !*this->FileName)
+  {
+    vtkErrorMacro("No file name is set: set FileName to a DICOM RT structure set (.dcm).");
+    this->SetErrorCode(vtkErrorCode::NoFileNameError);
+    return 0;
+  }
+  try
+  {
+    const recon::StructureSetFile file(this->FileName);
+    std::vector<std::string> names;
+    for (const recon::StructureSetROI& roi : file.GetROIs())
+    {
+      names.push_back(roi.Name);
+    }
+    this->UpdateSelection(names);
+    this->SetErrorCode(vtkErrorCode::NoError);
+    return 1;
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorMacro(<< error.what());
+    this->SetErrorCode(vtkErrorCode::FileFormatError);
+    return 0;
+  }
+}
+
+int vtkRTStructureSetReader::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  auto* output = vtkPartitionedDataSetCollection::GetData(outputVector);
+  try
+  {
+    recon::StructureSetFile file(this->FileName);
+    const std::vector<recon::StructureSetROI>& rois = file.GetROIs();
+    std::vector<std::string> report = file.GetReport();
+    for (const std::string& name : this->UnknownSelected)
+    {
+      report.push_back("The selected ROI \"" + name + "\" is not in the file.");
+    }
+    recon::AlgorithmMonitor whole(this);
+    ShareMonitor monitor(whole);
+    unsigned int block = 0;
+    for (std::size_t i = 0; i < rois.size(); ++i)
+    {
+      if (!this->ROISelection->ArrayIsEnabled(rois[i].Name.c_str()))
+      {
+        continue;
+      }
+      const auto count = static_cast<double>(rois.size());
+      monitor.SetShare(static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
+      const recon::StructureSetContours contours = file.ReadContours(static_cast<int>(i), monitor);
+      vtkNew<vtkPolyData> contourData;
+      FillBlock(contours, contourData);
+      AddROIFieldData(rois[i], contourData->GetFieldData());
+      output->SetPartition(block, 0, contourData);
+      output->GetMetaData(block)->Set(vtkCompositeDataSet::NAME(), rois[i].Name.c_str());
+      report.insert(report.end(), contours.File.Report.begin(), contours.File.Report.end());
+      ++block;
+    }
+    recon::AddReport(report, output->GetFieldData());
+    this->SetErrorCode(vtkErrorCode::NoError);
+    return 1;
+  }
+  catch (const recon::Aborted&)
+  {
+    output->Initialize();
+    return 1;
+  }
+  catch (const std::exception& error)
+  {
+    output->Initialize();
+    vtkErrorMacro(<< error.what());
+    this->SetErrorCode(vtkErrorCode::FileFormatError);
+    return 0;
+  }
+}
