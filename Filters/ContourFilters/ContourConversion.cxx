@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ContourConversion.h"
+
+#include "Monitor.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkStringArray.h"
+
+#include <limits>
+
+namespace recon
+{
+namespace
+{
+std::vector<Point3> ConvertPoints(vtkPolyData* input)
+{
+  const vtkIdType count = input->GetNumberOfPoints();
+  if (count > std::numeric_limits<int>::max())
+  {
+    throw Error("The input has " + std::to_string(count) + " points, more than the " +
+      std::to_string(std::numeric_limits<int>::max()) + " that can be numbered: split it.");
+  }
+  std::vector<Point3> points(static_cast<std::size_t>(count));
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    input->GetPoint(i, points[static_cast<std::size_t>(i)].data());
+  }
+  return points;
+}
+
+LoopSoup::Chain MakeChain(vtkIdType count, const vtkIdType* ids, bool closed, int source)
+{
+  LoopSoup::Chain chain;
+  chain.Closed = closed;
+  chain.Source = source;
+  // A last point with the first one's index closes a polyline; it is not a point of its own.
+  if (!closed && count > 2 && ids[0] == ids[count - 1])
+  {
+    chain.Closed = true;
+    --count;
+  }
+  chain.Points.reserve(static_cast<std::size_t>(count));
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    chain.Points.push_back(static_cast<int>(ids[i]));
+  }
+  return chain;
+}
+
+/// Appends a chain a cell; source runs on as cell numbers of vtkPolyData do.
+void AppendChains(vtkCellArray* cells, bool closed, int& source, LoopSoup& soup)
+{
+  const auto cell = vtk::TakeSmartPointer(cells->NewIterator());
+  for (cell->GoToFirstCell(); !cell->IsDoneWithTraversal(); cell->GoToNextCell())
+  {
+    vtkIdType count = 0;
+    const vtkIdType* ids = nullptr;
+    cell->GetCurrentCell(count, ids);
+    soup.Chains.push_back(MakeChain(count, ids, closed, source++));
+  }
+}
+
+/// One chain a vertex, also where a cell holds many of them.
+void AppendVertices(vtkCellArray* cells, int& source, LoopSoup& soup)
+{
+  const auto cell = vtk::TakeSmartPointer(cells->NewIterator());
+  for (cell->GoToFirstCell(); !cell->IsDoneWithTraversal(); cell->GoToNextCell())
+  {
+    vtkIdType count = 0;
+    const vtkIdType* ids = nullptr;
+    cell->GetCurrentCell(count, ids);
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      soup.Chains.push_back(MakeChain(1, ids + i, false, source));
+    }
+    ++source;
+  }
+}
+
+vtkSmartPointer<vtkIntArray> MakeIntArray(const char* name, vtkIdType count)
+{
+  auto array = vtkSmartPointer<vtkIntArray>::New();
+  array->SetName(name);
+  array->SetNumberOfTuples(count);
+  return array;
+}
+
+vtkSmartPointer<vtkDoubleArray> MakeDoubleArray(const char* name, int components, vtkIdType count)
+{
+  auto array = vtkSmartPointer<vtkDoubleArray>::New();
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(count);
+  return array;
+}
+
+vtkSmartPointer<vtkPoints> MakePoints(const std::vector<Point3>& from)
+{
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(static_cast<vtkIdType>(from.size()));
+  for (std::size_t i = 0; i < from.size(); ++i)
+  {
+    points->SetPoint(static_cast<vtkIdType>(i), from[i].data());
+  }
+  return points;
+}
+
+void AddContourArrays(const ContourSet& set, vtkPolyData* output)
+{
+  const auto count = static_cast<vtkIdType>(set.Contours.size());
+  const auto level = MakeIntArray("Level", count);
+  const auto id = MakeIntArray("ContourId", count);
+  const auto depth = MakeIntArray("Depth", count);
+  const auto parent = MakeIntArray("Parent", count);
+  const auto area = MakeDoubleArray("SignedArea", 1, count);
+  for (vtkIdType c = 0; c < count; ++c)
+  {
+    const Contour& contour = set.Contours[static_cast<std::size_t>(c)];
+    level->SetValue(c, contour.Level);
+    id->SetValue(c, static_cast<int>(c));
+    depth->SetValue(c, contour.Depth);
+    parent->SetValue(c, contour.Parent);
+    area->SetValue(c, contour.SignedArea);
+  }
+  vtkCellData* data = output->GetCellData();
+  data->AddArray(level);
+  data->AddArray(id);
+  data->AddArray(depth);
+  data->AddArray(parent);
+  data->AddArray(area);
+}
+
+void AddLevelArrays(const ContourSet& set, vtkPolyData* output)
+{
+  const auto count = static_cast<vtkIdType>(set.Levels.size());
+  const auto normal = MakeDoubleArray("LevelNormal", 3, count);
+  const auto offset = MakeDoubleArray("LevelOffset", 1, count);
+  for (vtkIdType l = 0; l < count; ++l)
+  {
+    const Level& level = set.Levels[static_cast<std::size_t>(l)];
+    normal->SetTypedTuple(l, level.Frame.Normal.data());
+    offset->SetValue(l, level.Offset);
+  }
+  output->GetFieldData()->AddArray(normal);
+  output->GetFieldData()->AddArray(offset);
+}
+}
+
+ConvertedLoops ToLoopSoup(vtkPolyData* input)
+{
+  if (!input || input->GetNumberOfPoints() == 0)
+  {
+    throw Error("The input has no points: give contours as polylines, polygons or line segments.");
+  }
+  ConvertedLoops loops;
+  loops.Soup.Points = ConvertPoints(input);
+  int source = 0;
+  AppendVertices(input->GetVerts(), source, loops.Soup);
+  AppendChains(input->GetLines(), false, source, loops.Soup);
+  AppendChains(input->GetPolys(), true, source, loops.Soup);
+  const vtkIdType strips = input->GetNumberOfStrips();
+  if (strips > 0)
+  {
+    loops.Report.push_back(std::to_string(strips) +
+      (strips == 1 ? " triangle strip is" : " triangle strips are") + " no contour and " +
+      (strips == 1 ? "was" : "were") + " left aside.");
+  }
+  if (loops.Soup.Chains.empty())
+  {
+    throw Error(strips > 0 ? "The input has triangle strips only: give contours as polylines, "
+                             "polygons or line segments."
+                           : "The input has points but no cells: give contours as polylines, "
+                             "polygons or line segments.");
+  }
+  return loops;
+}
+
+void ToPolyData(const ContourSet& set, const std::vector<std::string>& report, vtkPolyData* output)
+{
+  output->Initialize();
+  output->SetPoints(MakePoints(set.Points));
+  vtkNew<vtkCellArray> lines;
+  for (const Contour& contour : set.Contours)
+  {
+    lines->InsertNextCell(static_cast<int>(contour.Points.size()) + 1);
+    for (int p : contour.Points)
+    {
+      lines->InsertCellPoint(p);
+    }
+    lines->InsertCellPoint(contour.Points.front());
+  }
+  output->SetLines(lines);
+  AddContourArrays(set, output);
+  AddLevelArrays(set, output);
+  std::vector<std::string> sentences = report;
+  sentences.insert(sentences.end(), set.Report.begin(), set.Report.end());
+  SetReport(sentences, output);
+}
+
+void ToPolyData(const TriangleMesh& mesh, vtkPolyData* output)
+{
+  output->Initialize();
+  output->SetPoints(MakePoints(mesh.Points));
+  vtkNew<vtkCellArray> triangles;
+  triangles->AllocateExact(static_cast<vtkIdType>(mesh.Triangles.size()),
+    3 * static_cast<vtkIdType>(mesh.Triangles.size()));
+  for (const std::array<int, 3>& t : mesh.Triangles)
+  {
+    const vtkIdType ids[3] = { t[0], t[1], t[2] };
+    triangles->InsertNextCell(3, ids);
+  }
+  output->SetPolys(triangles);
+}
+
+TriangleMesh ToTriangleMesh(vtkPolyData* input)
+{
+  if (!input || input->GetNumberOfPolys() == 0)
+  {
+    throw Error(input && input->GetNumberOfStrips() > 0
+        ? "The surface has triangle strips only: apply Triangulate first."
+        : "The surface has no triangles.");
+  }
+  if (input->GetNumberOfStrips() > 0)
+  {
+    throw Error("The surface has triangle strips: apply Triangulate first.");
+  }
+  TriangleMesh mesh;
+  mesh.Points = ConvertPoints(input);
+  mesh.Triangles.reserve(static_cast<std::size_t>(input->GetNumberOfPolys()));
+  const auto cell = vtk::TakeSmartPointer(input->GetPolys()->NewIterator());
+  for (cell->GoToFirstCell(); !cell->IsDoneWithTraversal(); cell->GoToNextCell())
+  {
+    vtkIdType count = 0;
+    const vtkIdType* ids = nullptr;
+    cell->GetCurrentCell(count, ids);
+    if (count != 3)
+    {
+      throw Error("Polygon " + std::to_string(cell->GetCurrentCellId()) + " of the surface has " +
+        std::to_string(count) + " corners instead of 3: apply Triangulate first.");
+    }
+    mesh.Triangles.push_back(
+      { static_cast<int>(ids[0]), static_cast<int>(ids[1]), static_cast<int>(ids[2]) });
+  }
+  return mesh;
+}
+
+void SetReport(const std::vector<std::string>& lines, vtkDataObject* data)
+{
+  data->GetFieldData()->RemoveArray("Report");
+  if (lines.empty())
+  {
+    return;
+  }
+  vtkNew<vtkStringArray> array;
+  array->SetName("Report");
+  array->SetNumberOfValues(static_cast<vtkIdType>(lines.size()));
+  for (std::size_t i = 0; i < lines.size(); ++i)
+  {
+    array->SetValue(static_cast<vtkIdType>(i), lines[i]);
+  }
+  data->GetFieldData()->AddArray(array);
+}
+
+std::vector<std::string> GetReport(vtkDataObject* data)
+{
+  std::vector<std::string> lines;
+  const auto* array =
+    vtkStringArray::SafeDownCast(data->GetFieldData()->GetAbstractArray("Report"));
+  for (vtkIdType i = 0; array && i < array->GetNumberOfValues(); ++i)
+  {
+    lines.push_back(const_cast<vtkStringArray*>(array)->GetValue(i));
+  }
+  return lines;
+}
+}
