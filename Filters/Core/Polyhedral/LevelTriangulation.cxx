@@ -87,9 +87,12 @@ struct LevelTriangulator::Implementation
 
   std::vector<VertexHandle> InsertContourVertices();
   void InsertContourEdges(const std::vector<VertexHandle>& vertexOf);
+  void Conform();
   void ClassifyFaces();
   void LabelContourEdges(const std::vector<VertexHandle>& vertexOf);
   void LabelChain(VertexHandle from, VertexHandle to, int contour);
+  void MarkStarInside(VertexHandle v);
+  bool IsWithinRounding(const Kernel::Point_2& p, FaceHandle face) const;
   bool MayInsert(const Kernel::Point_2& p, FaceHandle hint, FaceHandle& where, VertexHandle& twin) const;
 
   std::vector<VertexHandle> VertexOf; ///< by index into ContourSet::Points
@@ -140,6 +143,21 @@ void LevelTriangulator::Implementation::InsertContourEdges(const std::vector<Ver
       this->Delaunay.insert_constraint(a, b);
     }
   }
+}
+
+/// Conditions 0-2, then the sides of the contours.
+void LevelTriangulator::Implementation::Conform()
+{
+  try
+  {
+    CGAL::make_conforming_Gabriel_2(this->Delaunay);
+  }
+  catch (const std::exception& failure)
+  {
+    throw Error("Level at offset " + std::to_string(this->OfLevel.Offset) +
+      ": the contours could not be refined to a conforming triangulation (" + failure.what() + ").");
+  }
+  this->ClassifyFaces();
 }
 
 /// Even-odd: crossing a contour edge changes the side; the infinite faces are outside.
@@ -281,21 +299,42 @@ bool LevelTriangulator::Implementation::MayInsert(
   return true;
 }
 
+/// Only triangles of IR are replaced by an insertion inside.
+void LevelTriangulator::Implementation::MarkStarInside(VertexHandle v)
+{
+  auto star = this->Delaunay.incident_faces(v);
+  const auto end = star;
+  do
+  {
+    star->info().Inside = true;
+  } while (++star != end);
+}
+
+/// p is nearer to a corner or a contour edge of its triangle than coordinates can tell reliably.
+bool LevelTriangulator::Implementation::IsWithinRounding(
+  const Kernel::Point_2& p, FaceHandle face) const
+{
+  const double nearest = NearestPoints * this->Diagonal;
+  for (int k = 0; k < 3; ++k)
+  {
+    const auto& a = face->vertex(Triangulation::ccw(k))->point();
+    const auto& b = face->vertex(Triangulation::cw(k))->point();
+    if (CGAL::squared_distance(a, p) < nearest * nearest ||
+      (face->is_constrained(k) &&
+        CGAL::squared_distance(Kernel::Segment_2(a, b), p) < nearest * nearest))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 LevelTriangulator::LevelTriangulator(const ContourSet& contours, int level)
   : Impl(std::make_unique<Implementation>(contours, level))
 {
   this->Impl->VertexOf = this->Impl->InsertContourVertices();
   this->Impl->InsertContourEdges(this->Impl->VertexOf);
-  try
-  {
-    CGAL::make_conforming_Gabriel_2(this->Impl->Delaunay);
-  }
-  catch (const std::exception& failure)
-  {
-    throw Error("Level at offset " + std::to_string(this->Impl->OfLevel.Offset) +
-      ": the contours could not be refined to a conforming triangulation (" + failure.what() + ").");
-  }
-  this->Impl->ClassifyFaces();
+  this->Impl->Conform();
 }
 
 LevelTriangulator::~LevelTriangulator() = default;
@@ -311,7 +350,8 @@ std::vector<Point2> LevelTriangulator::ExternalVoronoiVertices() const
     {
       continue;
     }
-    const Point2 p = FromCGAL(this->Impl->Delaunay.circumcenter(f));
+    const Point2 p = Circumcentre(FromCGAL(f->vertex(0)->point()), FromCGAL(f->vertex(1)->point()),
+      FromCGAL(f->vertex(2)->point()));
     if (std::isfinite(p[0]) && std::isfinite(p[1]))
     {
       vertices.push_back(p);
@@ -350,14 +390,33 @@ void LevelTriangulator::AddInternalPoints(
     const VertexHandle v = impl.Delaunay.insert(p, where);
     v->info().Kind = PolyhedralSurface::Internal;
     v->info().AskedBy = static_cast<unsigned char>(v->info().AskedBy | askedBy);
-    auto star = impl.Delaunay.incident_faces(v);
-    const auto end = star;
-    do
-    {
-      star->info().Inside = true; // only triangles of IR are replaced
-    } while (++star != end);
-    hint = star;
+    impl.MarkStarInside(v);
+    hint = v->face();
   }
+}
+
+void LevelTriangulator::AddCoverPoints(const std::vector<Point2>& points)
+{
+  auto& impl = *this->Impl;
+  FaceHandle hint;
+  for (const Point2& point : points)
+  {
+    const Kernel::Point_2 p(point[0], point[1]);
+    Triangulation::Locate_type type;
+    int index = 0;
+    hint = impl.Delaunay.locate(p, type, index, hint);
+    const bool inside = !impl.Delaunay.is_infinite(hint) && hint->info().Inside;
+    if (!inside || type == Triangulation::VERTEX || impl.IsWithinRounding(p, hint))
+    {
+      continue;
+    }
+    const VertexHandle v = impl.Delaunay.insert(p, type, hint, index);
+    v->info().Kind = PolyhedralSurface::Internal;
+    v->info().AskedBy = LevelTriangulation::Cover;
+    impl.MarkStarInside(v);
+    hint = v->face();
+  }
+  impl.Conform();
 }
 
 LevelTriangulation LevelTriangulator::Finish() const
@@ -402,9 +461,15 @@ LevelTriangulation LevelTriangulator::Finish() const
 Point2 LevelTriangulation::VoronoiVertex(int triangle) const
 {
   const auto& t = this->Triangles[triangle];
-  const auto point = [&](int k) {
-    return Kernel::Point_2(this->Points[t[k]][0], this->Points[t[k]][1]);
-  };
-  return FromCGAL(CGAL::circumcenter(point(0), point(1), point(2)));
+  return Circumcentre(this->Points[t[0]], this->Points[t[1]], this->Points[t[2]]);
+}
+
+Point2 Circumcentre(const Point2& a, const Point2& b, const Point2& c)
+{
+  // CGAL's construction asserts a determinant that is not zero; here a flat triangle gives infinity.
+  const double bx = b[0] - a[0], by = b[1] - a[1], cx = c[0] - a[0], cy = c[1] - a[1];
+  const double b2 = bx * bx + by * by, c2 = cx * cx + cy * cy;
+  const double twice = 2 * (bx * cy - by * cx);
+  return { a[0] + (b2 * cy - c2 * by) / twice, a[1] + (c2 * bx - b2 * cx) / twice };
 }
 }

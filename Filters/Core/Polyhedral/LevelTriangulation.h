@@ -30,7 +30,8 @@ struct LevelTriangulation
   enum AskedByType
   {
     LevelBelow = 1,
-    LevelAbove = 2
+    LevelAbove = 2,
+    Cover = 4 ///< neither: put there so that a part of a contour that nothing faces keeps a thickness
   };
 
   std::vector<Point2> Points;
@@ -43,9 +44,13 @@ struct LevelTriangulation
   std::vector<unsigned char> Inside;           ///< triangle belongs to IR
   std::vector<int> StarTriangle;               ///< of a point: one triangle that has it as a corner
 
-  /// Planar position of the k-th Voronoi vertex (circumcentre of triangle k), rounded.
+  /// Planar position of a Voronoi vertex (circumcentre of a triangle), rounded; not finite where the
+  /// triangle is flat within rounding.
   Point2 VoronoiVertex(int triangle) const;
 };
+
+/// Circumcentre of a, b, c, rounded; not finite where they are collinear within rounding.
+Point2 Circumcentre(const Point2& a, const Point2& b, const Point2& c);
 
 /**
  * Builds the triangulation of a level in the two steps of the method: first contours and
@@ -71,6 +76,14 @@ public:
    */
   void AddInternalPoints(
     const std::vector<Point2>& candidates, LevelTriangulation::AskedByType askedBy);
+
+  /**
+   * Insert points of IR wherever they are, and see to conditions 0-2 again.
+   *
+   * For the parts of a contour that no solid covers; points nearer than rounding to what is there
+   * already are left out.
+   */
+  void AddCoverPoints(const std::vector<Point2>& points);
 
   LevelTriangulation Finish() const;
 

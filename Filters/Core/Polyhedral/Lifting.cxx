@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Lifting.h"
 
-#include "PolyhedralSurface.h"
-
 #include <CGAL/AABB_segment_primitive.h>
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
@@ -58,9 +56,11 @@ private:
 class SlabLifting
 {
 public:
-  SlabLifting(const LevelGeometry& level1, const LevelGeometry& level2, const SlabTetrahedra& slab)
+  SlabLifting(const LevelGeometry& level1, const LevelGeometry& level2, const SlabTetrahedra& slab,
+    const std::vector<unsigned char>& wanted1, const std::vector<unsigned char>& wanted2)
     : Levels{ { level1, level2 } }
     , Slab(slab)
+    , Wanted{ { &wanted1, &wanted2 } }
   {
     for (int side : { 0, 1 })
     {
@@ -106,13 +106,6 @@ public:
   }
 
 private:
-  bool IsWanted(int side, int point) const
-  {
-    const auto& level = *this->Levels[side].Triangulation;
-    const int askedBy = side == 0 ? LevelTriangulation::LevelAbove : LevelTriangulation::LevelBelow;
-    return level.Kind[point] == PolyhedralSurface::Internal && (level.AskedBy[point] & askedBy) != 0;
-  }
-
   bool CollectStars()
   {
     bool any = false;
@@ -122,7 +115,7 @@ private:
       for (int k = 0; k < 4; ++k)
       {
         const int side = SlabTetrahedra::OnLevel2(t, k) ? 1 : 0;
-        if (this->IsWanted(side, t.Corners[k]))
+        if ((*this->Wanted[side])[t.Corners[k]])
         {
           this->Stars[side][t.Corners[k]].push_back(static_cast<int>(i));
           any = true;
@@ -192,15 +185,17 @@ private:
 
   std::array<LevelGeometry, 2> Levels;
   const SlabTetrahedra& Slab;
+  std::array<const std::vector<unsigned char>*, 2> Wanted;
   std::array<std::vector<double>, 2> Heights;
   std::array<std::vector<std::vector<int>>, 2> Stars; ///< tetrahedra at every point to be lifted
 };
 }
 
 void LiftInternalPoints(const LevelGeometry& level1, const LevelGeometry& level2,
-  const SlabTetrahedra& slab, LiftedHeights& lower, LiftedHeights& upper)
+  const SlabTetrahedra& slab, const std::vector<unsigned char>& wanted1,
+  const std::vector<unsigned char>& wanted2, LiftedHeights& lower, LiftedHeights& upper)
 {
-  SlabLifting lifting(level1, level2, slab);
+  SlabLifting lifting(level1, level2, slab, wanted1, wanted2);
   lifting.Run();
   lower.Above = lifting.LiftedHeightsOf(0);
   upper.Below = lifting.LiftedHeightsOf(1);

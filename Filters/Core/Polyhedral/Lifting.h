@@ -17,10 +17,12 @@ namespace recon
  * all, where it would. So the tetrahedra of the slab still fill space without overlap, and the surface
  * never crosses itself. Points are treated in their order, so the result is always the same.
  *
- * Writes lower.Above and upper.Below, each as long as the level's points, NaN where not lifted.
+ * wanted1, wanted2: the points of level 1 and 2 to be lifted. Writes lower.Above and upper.Below, each as
+ * long as the level's points, NaN where not lifted.
  */
 void LiftInternalPoints(const LevelGeometry& level1, const LevelGeometry& level2,
-  const SlabTetrahedra& slab, LiftedHeights& lower, LiftedHeights& upper);
+  const SlabTetrahedra& slab, const std::vector<unsigned char>& wanted1,
+  const std::vector<unsigned char>& wanted2, LiftedHeights& lower, LiftedHeights& upper);
 }
 
 #endif

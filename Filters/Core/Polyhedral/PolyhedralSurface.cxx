@@ -2,6 +2,7 @@
 #include "PolyhedralSurface.h"
 
 #include "../Parallel.h"
+#include "Coverage.h"
 #include "JointVoronoi.h"
 #include "LevelTriangulation.h"
 #include "Lifting.h"
@@ -11,7 +12,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <limits>
 #include <sstream>
 
 namespace recon
@@ -34,7 +34,6 @@ public:
   {
     this->TriangulateLevels();
     this->BuildSlabs();
-    this->LiftPoints();
     this->ExtractSurface();
     return std::move(this->Result);
   }
@@ -46,6 +45,14 @@ private:
     const auto start = std::chrono::steady_clock::now();
     work();
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    for (auto& known : this->Result.StageSeconds)
+    {
+      if (known.first == stage)
+      {
+        known.second += seconds.count();
+        return;
+      }
+    }
     this->Result.StageSeconds.emplace_back(stage, seconds.count());
   }
 
@@ -58,62 +65,138 @@ private:
 
   void TriangulateLevels()
   {
-    std::vector<std::unique_ptr<LevelTriangulator>> triangulators(this->LevelCount);
+    this->Triangulators.resize(this->LevelCount);
+    this->Triangulations.resize(this->LevelCount);
     this->Timed("triangulate levels", [&] {
       this->ForAll(this->LevelCount, { 0, 0.3, "triangulating levels" }, [&](int i) {
-        triangulators[i] = std::make_unique<LevelTriangulator>(this->Contours, i);
+        this->Triangulators[i] = std::make_unique<LevelTriangulator>(this->Contours, i);
       });
     });
-    this->Triangulations.resize(this->LevelCount);
-    this->Timed("insert internal points", [&] {
-      std::vector<std::vector<Point2>> skeletons(this->LevelCount);
-      if (this->Options.InternalPoints)
-      {
-        this->ForAll(this->LevelCount, { 0.3, 0.35, "tracing Voronoi skeletons" },
-          [&](int i) { skeletons[i] = triangulators[i]->ExternalVoronoiVertices(); });
-      }
-      this->ForAll(this->LevelCount, { 0.35, 0.5, "inserting internal points" }, [&](int i) {
-        if (i > 0)
-        {
-          triangulators[i]->AddInternalPoints(skeletons[i - 1], LevelTriangulation::LevelBelow);
-        }
-        if (i + 1 < this->LevelCount)
-        {
-          triangulators[i]->AddInternalPoints(skeletons[i + 1], LevelTriangulation::LevelAbove);
-        }
-        this->Triangulations[i] = triangulators[i]->Finish();
-      });
-    });
+    this->Timed("insert internal points", [&] { this->InsertInternalPoints(); });
     for (int i = 0; i < this->LevelCount; ++i)
     {
       this->Levels.push_back({ &this->Triangulations[i], this->Contours.Levels[i].Offset });
     }
   }
 
-  void BuildSlabs()
+  void InsertInternalPoints()
   {
-    this->Slabs.resize(this->LevelCount - 1);
-    this->Timed("join Voronoi diagrams", [&] {
-      this->ForAll(this->LevelCount - 1, { 0.5, 0.8, "joining Voronoi diagrams" }, [&](int i) {
-        this->Slabs[i] = BuildJointVoronoi(this->Triangulations[i], this->Triangulations[i + 1]);
-        EliminateTetrahedra(this->Triangulations[i], this->Triangulations[i + 1], this->Slabs[i]);
-      });
+    std::vector<std::vector<Point2>> skeletons(this->LevelCount);
+    if (this->Options.InternalPoints)
+    {
+      this->ForAll(this->LevelCount, { 0.3, 0.35, "tracing Voronoi skeletons" },
+        [&](int i) { skeletons[i] = this->Triangulators[i]->ExternalVoronoiVertices(); });
+    }
+    this->ForAll(this->LevelCount, { 0.35, 0.5, "inserting internal points" }, [&](int i) {
+      if (i > 0)
+      {
+        this->Triangulators[i]->AddInternalPoints(skeletons[i - 1], LevelTriangulation::LevelBelow);
+      }
+      if (i + 1 < this->LevelCount)
+      {
+        this->Triangulators[i]->AddInternalPoints(skeletons[i + 1], LevelTriangulation::LevelAbove);
+      }
+      this->Triangulations[i] = this->Triangulators[i]->Finish();
     });
   }
 
-  void LiftPoints()
+  /**
+   * Tetrahedra and heights of all slabs, once more for levels that had bare parts.
+   *
+   * Cover points change their level and the two slabs at it, which can lay others bare; a few rounds do.
+   */
+  void BuildSlabs()
   {
+    constexpr int Rounds = 4;
+    this->Slabs.resize(this->LevelCount - 1);
     this->Lifted.resize(this->LevelCount);
-    if (!this->Options.InternalPoints || !this->Options.LiftInternalPoints)
+    std::vector<unsigned char> changed(this->LevelCount, 1);
+    const double share = 0.38 / Rounds;
+    for (int round = 0; round < Rounds; ++round)
     {
-      return;
-    }
-    this->Timed("lift internal points", [&] {
-      this->ForAll(this->LevelCount - 1, { 0.8, 0.88, "lifting internal points" }, [&](int i) {
-        LiftInternalPoints(this->Levels[i], this->Levels[i + 1], this->Slabs[i], this->Lifted[i],
-          this->Lifted[i + 1]);
+      const double from = 0.5 + share * round;
+      this->Timed("join Voronoi diagrams", [&] {
+        this->ForAll(
+          this->LevelCount - 1, { from, from + 0.7 * share, "joining Voronoi diagrams" }, [&](int i) {
+            if (changed[i] || changed[i + 1])
+            {
+              this->Slabs[i] =
+                BuildJointVoronoi(this->Triangulations[i], this->Triangulations[i + 1]);
+              EliminateTetrahedra(this->Triangulations[i], this->Triangulations[i + 1], this->Slabs[i]);
+            }
+          });
       });
+      this->Timed("lift internal points",
+        [&] { this->LiftPoints({ from + 0.7 * share, from + share, "lifting internal points" }); });
+      if (round + 1 == Rounds || !this->CoverBareParts(changed))
+      {
+        return;
+      }
+    }
+  }
+
+  const SlabTetrahedra* SlabOrNull(int i) const
+  {
+    return i >= 0 && i + 1 < this->LevelCount ? &this->Slabs[i] : nullptr;
+  }
+
+  void LiftPoints(const ProgressRange& range)
+  {
+    this->Coverages.resize(this->LevelCount);
+    this->ForAll(this->LevelCount, { range.From, range.From, range.Stage }, [&](int i) {
+      this->Coverages[i] =
+        FindCoverage(this->Triangulations[i], this->SlabOrNull(i - 1), this->SlabOrNull(i));
     });
+    this->ForAll(this->LevelCount - 1, range, [&](int i) {
+      LiftInternalPoints(this->Levels[i], this->Levels[i + 1], this->Slabs[i],
+        this->WantedPoints(i, LevelTriangulation::LevelAbove),
+        this->WantedPoints(i + 1, LevelTriangulation::LevelBelow), this->Lifted[i],
+        this->Lifted[i + 1]);
+    });
+  }
+
+  /// Points of a level to be lifted towards a neighbour: those that it asked for and cover points, but
+  /// none of a region that is not part of the surface.
+  std::vector<unsigned char> WantedPoints(int level, LevelTriangulation::AskedByType towards) const
+  {
+    const auto& triangulation = this->Triangulations[level];
+    const int askedBy =
+      LevelTriangulation::Cover | (this->Options.LiftInternalPoints ? towards : 0);
+    std::vector<unsigned char> wanted(triangulation.Points.size());
+    for (std::size_t p = 0; p < wanted.size(); ++p)
+    {
+      wanted[p] = (triangulation.AskedBy[p] & askedBy) != 0 &&
+          !this->Coverages[level].Isolated[triangulation.StarTriangle[p]]
+        ? 1
+        : 0;
+    }
+    return wanted;
+  }
+
+  /// Returns whether any level was changed, and which.
+  bool CoverBareParts(std::vector<unsigned char>& changed)
+  {
+    std::vector<std::vector<Point2>> points(this->LevelCount);
+    bool any = false;
+    for (int i = 0; i < this->LevelCount; ++i)
+    {
+      points[i] = FindCoverPoints(this->Triangulations[i], this->Coverages[i], this->Lifted[i]);
+      changed[i] = points[i].empty() ? 0 : 1;
+      any = any || changed[i];
+    }
+    this->Timed("cover bare parts", [&] {
+      ParallelFor(
+        this->LevelCount, this->Options.Threads,
+        [&](int i) {
+          if (changed[i])
+          {
+            this->Triangulators[i]->AddCoverPoints(points[i]);
+            this->Triangulations[i] = this->Triangulators[i]->Finish();
+          }
+        },
+        this->Observer, { 0.5, 0.5, "covering bare parts" });
+    });
+    return any;
   }
 
   void ExtractSurface()
@@ -262,9 +345,11 @@ private:
   const PolyhedralOptions& Options;
   Monitor& Observer;
   int LevelCount;
+  std::vector<std::unique_ptr<LevelTriangulator>> Triangulators;
   std::vector<LevelTriangulation> Triangulations;
   std::vector<LevelGeometry> Levels;
   std::vector<SlabTetrahedra> Slabs;
+  std::vector<Coverage> Coverages;
   std::vector<LiftedHeights> Lifted;
   PolyhedralSurface Result;
 };

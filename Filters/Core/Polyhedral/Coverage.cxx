@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Coverage.h"
+
+#include "VertexStars.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace recon
+{
+namespace
+{
+/// Triangles of the region of `seed`, which is a connected part of IR.
+std::vector<int> RegionOf(
+  const LevelTriangulation& level, int seed, std::vector<unsigned char>& visited)
+{
+  std::vector<int> region{ seed };
+  visited[seed] = 1;
+  for (std::size_t i = 0; i < region.size(); ++i)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const int n = level.Neighbours[region[i]][k];
+      if (n >= 0 && level.Inside[n] && !visited[n])
+      {
+        visited[n] = 1;
+        region.push_back(n);
+      }
+    }
+  }
+  return region;
+}
+
+bool IsLifted(const std::vector<double>& heights, int point)
+{
+  return !heights.empty() && !std::isnan(heights[point]);
+}
+}
+
+Coverage FindCoverage(
+  const LevelTriangulation& level, const SlabTetrahedra* below, const SlabTetrahedra* above)
+{
+  const int count = static_cast<int>(level.Triangles.size());
+  Coverage coverage;
+  coverage.Covered.assign(count, 0);
+  coverage.Isolated.assign(count, 0);
+  for (int t = 0; t < count; ++t)
+  {
+    const bool solidAbove = above && above->Tetrahedra[t].Reason == SlabTetrahedra::Kept;
+    const bool solidBelow =
+      below && below->Tetrahedra[below->NumberOfT1 + t].Reason == SlabTetrahedra::Kept;
+    coverage.Covered[t] = solidAbove || solidBelow ? 1 : 0;
+  }
+  std::vector<unsigned char> visited(count, 0);
+  for (int t = 0; t < count; ++t)
+  {
+    if (!level.Inside[t] || visited[t])
+    {
+      continue;
+    }
+    const std::vector<int> region = RegionOf(level, t, visited);
+    const bool touched = std::any_of(
+      region.begin(), region.end(), [&](int r) { return coverage.Covered[r] != 0; });
+    for (int r : region)
+    {
+      coverage.Isolated[r] = touched ? 0 : 1;
+    }
+  }
+  return coverage;
+}
+
+std::vector<Point2> FindCoverPoints(
+  const LevelTriangulation& level, const Coverage& coverage, const LiftedHeights& lifted)
+{
+  std::vector<Point2> points;
+  for (std::size_t t = 0; t < level.Triangles.size(); ++t)
+  {
+    const auto& corners = level.Triangles[t];
+    bool bare = level.Inside[t] && !coverage.Covered[t] && !coverage.Isolated[t];
+    for (int p : corners)
+    {
+      bare = bare && !IsLifted(lifted.Above, p) && !IsLifted(lifted.Below, p);
+    }
+    for (int k = 0; k < 3 && bare; ++k)
+    {
+      if (level.EdgeContour[t][k] < 0)
+      {
+        const Point2& a = level.Points[corners[(k + 1) % 3]];
+        const Point2& b = level.Points[corners[(k + 2) % 3]];
+        points.push_back({ (a[0] + b[0]) / 2, (a[1] + b[1]) / 2 });
+      }
+    }
+  }
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  return points;
+}
+}

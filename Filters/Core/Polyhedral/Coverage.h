@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @file Coverage.h
+ * @brief Which parts of a level's contours have solid above or below them.
+ *
+ * A region is a connected part of IR: the inside of an outer wall without its holes. One that no solid
+ * touches on either side is isolated and cannot be part of the surface. One that is touched somewhere must be
+ * covered everywhere, as otherwise the surface would lose a part of the contour: what is bare there gets
+ * points in its middle (cover points), which are lifted like internal points and give it a thickness.
+ */
+#ifndef recon_Coverage_h
+#define recon_Coverage_h
+
+#include "JointVoronoi.h"
+#include "SolidComplex.h"
+
+#include <vector>
+
+namespace recon
+{
+struct Coverage
+{
+  std::vector<unsigned char> Covered;  ///< a triangle: its T1 in the slab above or T2 below is kept
+  std::vector<unsigned char> Isolated; ///< a triangle of IR: no triangle of its region is covered
+};
+
+/// below, above: the slabs next to the level, null at the ends.
+Coverage FindCoverage(
+  const LevelTriangulation& level, const SlabTetrahedra* below, const SlabTetrahedra* above);
+
+/**
+ * Points that would cover the bare triangles of regions that are not isolated: the middles of their
+ * edges that are not contour edges. A triangle with a lifted corner is not bare.
+ */
+std::vector<Point2> FindCoverPoints(
+  const LevelTriangulation& level, const Coverage& coverage, const LiftedHeights& lifted);
+}
+
+#endif
