@@ -51,8 +51,8 @@ inline double Norm(const Vector3& v)
 /**
  * An orthonormal right-handed frame (U, V, Normal) through the origin of the input's coordinates.
  *
- * Where Normal is a coordinate axis, U and V are coordinate axes too (z: x, y; x: y, z; y: z, x), and
- * both directions of the mapping are exact; for a tilted frame they round like any dot product.
+ * Where Normal is a coordinate axis, U and V are coordinate axes too (z: x, y; x: y, z; y: z, x),
+ * and both directions of the mapping are exact; for a tilted frame they round like any dot product.
  */
 struct PlanarFrame
 {

@@ -35,7 +35,8 @@ class Monitor
 public:
   virtual ~Monitor() = default;
 
-  /// fraction in [0, 1] of the whole call, stage a short present participle ("triangulating levels").
+  /// fraction in [0, 1] of the whole call, stage a short present participle ("triangulating
+  /// levels").
   /// @throws Aborted where AbortRequested().
   void Update(double fraction, const char* stage)
   {

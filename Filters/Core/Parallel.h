@@ -23,8 +23,8 @@ struct ProgressRange
 /**
  * Call body(i) for i in [0, count) on up to `threads` threads (0: all of the machine).
  *
- * Pieces are handed out in increasing order and must not depend on one another, so the result is the
- * same for any number of threads. The monitor is called from the calling thread only. The first
+ * Pieces are handed out in increasing order and must not depend on one another, so the result is
+ * the same for any number of threads. The monitor is called from the calling thread only. The first
  * exception of a piece (or Aborted) ends the loop and is rethrown here once all threads are home.
  */
 void ParallelFor(int count, int threads, const std::function<void(int)>& body, Monitor& monitor,

@@ -59,8 +59,8 @@ Coverage FindCoverage(
       continue;
     }
     const std::vector<int> region = RegionOf(level, t, visited);
-    const bool touched = std::any_of(
-      region.begin(), region.end(), [&](int r) { return coverage.Covered[r] != 0; });
+    const bool touched =
+      std::any_of(region.begin(), region.end(), [&](int r) { return coverage.Covered[r] != 0; });
     for (int r : region)
     {
       coverage.Isolated[r] = touched ? 0 : 1;

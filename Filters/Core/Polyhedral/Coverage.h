@@ -3,10 +3,11 @@
  * @file Coverage.h
  * @brief Which parts of a level's contours have solid above or below them.
  *
- * A region is a connected part of IR: the inside of an outer wall without its holes. One that no solid
- * touches on either side is isolated and cannot be part of the surface. One that is touched somewhere must be
- * covered everywhere, as otherwise the surface would lose a part of the contour: what is bare there gets
- * points in its middle (cover points), which are lifted like internal points and give it a thickness.
+ * A region is a connected part of IR: the inside of an outer wall without its holes. One that no
+ * solid touches on either side is isolated and cannot be part of the surface. One that is touched
+ * somewhere must be covered everywhere, as otherwise the surface would lose a part of the contour:
+ * what is bare there gets points in its middle (cover points), which are lifted like internal
+ * points and give it a thickness.
  */
 #ifndef recon_Coverage_h
 #define recon_Coverage_h

@@ -27,8 +27,8 @@ EdgeKind KindOf(const LevelTriangulation& level, int edge)
   return level.Inside[triangle] ? EdgeKind::Internal : EdgeKind::External;
 }
 
-/// The crossing of the bisectors lies outside contour edge `edge`, which joins p and q. Condition 2 puts
-/// the edge's Voronoi edge across its midpoint, so one side test tells.
+/// The crossing of the bisectors lies outside contour edge `edge`, which joins p and q. Condition 2
+/// puts the edge's Voronoi edge across its midpoint, so one side test tells.
 bool NodeOutside(const LevelTriangulation& level, int edge, const Point2& u, const Point2& v)
 {
   const auto& corners = level.Triangles[edge / 3];
@@ -43,9 +43,9 @@ class Elimination
 public:
   Elimination(
     const LevelTriangulation& level1, const LevelTriangulation& level2, SlabTetrahedra& slab)
-    : Level1(level1)
-    , Level2(level2)
-    , Slab(slab)
+    : Level1(level1),
+      Level2(level2),
+      Slab(slab)
   {
   }
 
@@ -84,8 +84,8 @@ private:
     const Point2& b = this->Level1.Points[t.Corners[1]];
     const Point2& u = this->Level2.Points[t.Corners[2]];
     const Point2& v = this->Level2.Points[t.Corners[3]];
-    const bool outside = NodeOutside(this->Level1, t.Origin[0], u, v) &&
-      NodeOutside(this->Level2, t.Origin[1], a, b);
+    const bool outside =
+      NodeOutside(this->Level1, t.Origin[0], u, v) && NodeOutside(this->Level2, t.Origin[1], a, b);
     return outside ? SlabTetrahedra::OutsideBothContours : SlabTetrahedra::Kept;
   }
 
@@ -97,7 +97,8 @@ private:
   /**
    * Thesis 6.4: a T12 stays where it is solid on level 1 and on level 2 at the same time.
    *
-   * Solid on a level means that along its Voronoi edge of that level kept T12 lead to a kept base of it.
+   * Solid on a level means that along its Voronoi edge of that level kept T12 lead to a kept base
+   * of it.
    */
   bool DropLooseT12()
   {
@@ -123,7 +124,8 @@ private:
   {
     std::vector<unsigned char> reached(this->Slab.Tetrahedra.size(), 0);
     std::vector<int> stack;
-    const auto visit = [&](int i) {
+    const auto visit = [&](int i)
+    {
       if (this->IsKept(i) && !reached[i] &&
         this->Slab.Tetrahedra[i].NodeType == SlabTetrahedra::T12)
       {
@@ -132,8 +134,8 @@ private:
       }
     };
     const int begin = base == SlabTetrahedra::T1 ? 0 : this->Slab.NumberOfT1;
-    const int end = begin +
-      (base == SlabTetrahedra::T1 ? this->Slab.NumberOfT1 : this->Slab.NumberOfT2);
+    const int end =
+      begin + (base == SlabTetrahedra::T1 ? this->Slab.NumberOfT1 : this->Slab.NumberOfT2);
     for (int i = begin; i < end; ++i)
     {
       if (this->IsKept(i))

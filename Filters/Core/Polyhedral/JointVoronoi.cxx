@@ -23,7 +23,8 @@ std::vector<int> FindApices(const LevelTriangulation& own, const CircumcentreDis
 {
   std::vector<int> apices(own.Triangles.size(), -1);
   std::vector<int> stack;
-  const auto descend = [&](int triangle, int vertex) {
+  const auto descend = [&](int triangle, int vertex)
+  {
     for (bool moved = true; moved;)
     {
       moved = false;
@@ -62,26 +63,26 @@ std::vector<int> FindApices(const LevelTriangulation& own, const CircumcentreDis
  * The crossings of one Voronoi edge of level 1 with the Voronoi cells of level 2.
  *
  * The edge is dual to a-b and runs so that b is on its left; the side of a Voronoi vertex of
- * level 2 is whether it is nearer to b. Around a cell, counterclockwise, the edge leaves where the side
- * changes from a to b. A cell on the hull has two corners at infinity after its last triangle.
+ * level 2 is whether it is nearer to b. Around a cell, counterclockwise, the edge leaves where the
+ * side changes from a to b. A cell on the hull has two corners at infinity after its last triangle.
  */
 class VoronoiEdgeWalk
 {
 public:
   struct Exit
   {
-    int Cell = -1;       ///< the next cell, or -1 to infinity
-    int SideA = -1;      ///< triangle before the exit, or -1 at infinity
+    int Cell = -1;         ///< the next cell, or -1 to infinity
+    int SideA = -1;        ///< triangle before the exit, or -1 at infinity
     int DelaunayEdge = -1; ///< of level 2, canonical
   };
 
   VoronoiEdgeWalk(const LevelTriangulation& level2, const VertexStars& stars,
     const CircumcentreDistance& distance, const Point2& a, const Point2& b)
-    : Level2(level2)
-    , Stars(stars)
-    , Distance(distance)
-    , A(a)
-    , B(b)
+    : Level2(level2),
+      Stars(stars),
+      Distance(distance),
+      A(a),
+      B(b)
   {
   }
 
@@ -121,7 +122,8 @@ private:
   {
     const int triangle = this->Stars.Triangle(cell, i);
     const int opposite = CornerOf(this->Level2.Triangles[triangle], this->Stars.Before(cell, i));
-    return { this->Stars.After(cell, i), triangle, CanonicalEdge(this->Level2, triangle, opposite) };
+    return { this->Stars.After(cell, i), triangle,
+      CanonicalEdge(this->Level2, triangle, opposite) };
   }
 
   Exit LeaveHullCell(int cell) const
@@ -153,19 +155,18 @@ private:
     if (!infinite2 && first)
     {
       const int triangle = this->Stars.Triangle(cell, 0);
-      const int opposite =
-        CornerOf(this->Level2.Triangles[triangle], this->Stars.After(cell, 0));
+      const int opposite = CornerOf(this->Level2.Triangles[triangle], this->Stars.After(cell, 0));
       return { before, -1, CanonicalEdge(this->Level2, triangle, opposite) };
     }
     throw Error("Joint Voronoi diagram: a Voronoi edge found no way out of a cell on the hull.");
   }
 
-  /// Side of the far end of the infinite Voronoi edge of the hull edge u->v (outside on its right); one
-  /// that is parallel to this walk stays on the side where it begins.
+  /// Side of the far end of the infinite Voronoi edge of the hull edge u->v (outside on its right);
+  /// one that is parallel to this walk stays on the side where it begins.
   bool AtInfinity(int u, int v, bool sideOfBeginning) const
   {
-    const int sign = SignAlongRightNormal(
-      this->Level2.Points[u], this->Level2.Points[v], this->A, this->B);
+    const int sign =
+      SignAlongRightNormal(this->Level2.Points[u], this->Level2.Points[v], this->A, this->B);
     return sign == 0 ? sideOfBeginning : sign > 0;
   }
 
@@ -180,12 +181,12 @@ class Builder
 {
 public:
   Builder(const LevelTriangulation& level1, const LevelTriangulation& level2)
-    : Level1(level1)
-    , Level2(level2)
-    , Stars1(level1)
-    , Stars2(level2)
-    , Distance1(level1, true)
-    , Distance2(level2, false)
+    : Level1(level1),
+      Level2(level2),
+      Stars1(level1),
+      Stars2(level2),
+      Distance1(level1, true),
+      Distance2(level2, false)
   {
   }
 
@@ -336,7 +337,8 @@ private:
         throw Error("Joint Voronoi diagram: the crossings of a Voronoi edge do not form a chain.");
       }
       const int entered = this->At(node).Corners[0] == cell ? 0 : 1;
-      this->At(node).Neighbours[1 - entered] = previous; // the face that holds `cell` and not the other
+      this->At(node).Neighbours[1 - entered] =
+        previous; // the face that holds `cell` and not the other
       this->At(previous).Neighbours[face] = node;
       previous = node;
       face = entered;

@@ -7,14 +7,15 @@
  *   level 1, level 2  the lower and the upper level of a slab
  *   T1 node           Voronoi vertex of level 1  -> triangle of level 1 + its apex on level 2
  *   T2 node           Voronoi vertex of level 2  -> triangle of level 2 + its apex on level 1
- *   T12 node          crossing of a Voronoi edge of level 1 and one of level 2 -> their Delaunay edges
- *   apex              Delaunay vertex of the other level nearest to the Voronoi vertex
+ *   T12 node          crossing of a Voronoi edge of level 1 and one of level 2 -> their Delaunay
+ * edges apex              Delaunay vertex of the other level nearest to the Voronoi vertex
  *
- * Special cases (section 6.3). Where a Voronoi vertex of one level is equally far from several vertices of
- * the other, algorithms 7-12 choose a valid configuration. Here one rule does: level 2 counts as moved by
- * (-eps, -eps^2) in its plane, so that of two equally near vertices the lexicographically larger one
- * is nearer seen from level 1 and the smaller one seen from level 2. No tie is left, for any number of
- * cocircular and cospherical points.
+ * Special cases (section 6.3). Where a Voronoi vertex of one level is equally far from several
+ * vertices of the other, algorithms 7-12 choose a valid configuration. Here one rule does: level 2
+ * counts as moved by
+ * (-eps, -eps^2) in its plane, so that of two equally near vertices the lexicographically larger
+ * one is nearer seen from level 1 and the smaller one seen from level 2. No tie is left, for any
+ * number of cocircular and cospherical points.
  */
 #ifndef recon_JointVoronoi_h
 #define recon_JointVoronoi_h
@@ -28,8 +29,8 @@
 namespace recon
 {
 /**
- * The tetrahedra between two levels: together they fill the convex hull of both levels' points and are
- * its 3D Delaunay triangulation (one of them, where points are cospherical).
+ * The tetrahedra between two levels: together they fill the convex hull of both levels' points and
+ * are its 3D Delaunay triangulation (one of them, where points are cospherical).
  */
 struct SlabTetrahedra
 {
@@ -44,20 +45,22 @@ struct SlabTetrahedra
   enum ReasonType : unsigned char
   {
     Kept = 0,
-    ExternalEdge = 1,       ///< an edge in the plane of a level runs outside its contours
+    ExternalEdge = 1,        ///< an edge in the plane of a level runs outside its contours
     OutsideBothContours = 2, ///< T12 of two contour edges whose node lies outside both
-    NonSolidConnection = 3  ///< touches one of the levels in a point or an edge only
+    NonSolidConnection = 3   ///< touches one of the levels in a point or an edge only
   };
 
   struct Tetrahedron
   {
-    /// T1: three of level 1, apex. T2: three of level 2, apex. T12: a, b of level 1, u, v of level 2.
-    /// Indices into the levels' LevelTriangulation::Points; all are positively oriented in space.
+    /// T1: three of level 1, apex. T2: three of level 2, apex. T12: a, b of level 1, u, v of
+    /// level 2. Indices into the levels' LevelTriangulation::Points; all are positively oriented in
+    /// space.
     std::array<int, 4> Corners;
-    /// k: the tetrahedron across the face opposite corner k; -1 on the hull and for the base of T1, T2.
+    /// k: the tetrahedron across the face opposite corner k; -1 on the hull and for the base of T1,
+    /// T2.
     std::array<int, 4> Neighbours;
-    /// T1, T2: {triangle, -1}. T12: the Delaunay edges of level 1 and 2 as 3 * triangle + k, the lesser
-    /// of the two such numbers that an edge has.
+    /// T1, T2: {triangle, -1}. T12: the Delaunay edges of level 1 and 2 as 3 * triangle + k, the
+    /// lesser of the two such numbers that an edge has.
     std::array<int, 2> Origin;
     NodeTypeType NodeType;
     ReasonType Reason;
@@ -74,13 +77,14 @@ struct SlabTetrahedra
   }
 };
 
-SlabTetrahedra BuildJointVoronoi(const LevelTriangulation& level1, const LevelTriangulation& level2);
+SlabTetrahedra BuildJointVoronoi(
+  const LevelTriangulation& level1, const LevelTriangulation& level2);
 
 /**
  * Set Reason of every tetrahedron (thesis 5.5, 6.4).
  *
- * A T12 of two contour edges whose node lies outside both contours is not solid either: the thesis keeps
- * it, and it draws thin sheets and spikes across bays.
+ * A T12 of two contour edges whose node lies outside both contours is not solid either: the thesis
+ * keeps it, and it draws thin sheets and spikes across bays.
  */
 void EliminateTetrahedra(
   const LevelTriangulation& level1, const LevelTriangulation& level2, SlabTetrahedra& slab);

@@ -59,20 +59,23 @@ int SignOfMidpointDistance(const Point2& a, const Point2& b, const Point2& u, co
     value += difference * rest;
     bound += std::abs(difference) * (std::abs(a[k] - u[k]) + std::abs(b[k] - v[k]));
   }
-  return FilteredSign(value, bound, [&] {
-    Exact exact = 0;
-    for (int k = 0; k < 2; ++k)
+  return FilteredSign(value, bound,
+    [&]
     {
-      exact += (Exact(v[k]) - Exact(u[k])) * (Exact(a[k]) + Exact(b[k]) - Exact(u[k]) - Exact(v[k]));
-    }
-    return static_cast<int>(CGAL::sign(exact));
-  });
+      Exact exact = 0;
+      for (int k = 0; k < 2; ++k)
+      {
+        exact +=
+          (Exact(v[k]) - Exact(u[k])) * (Exact(a[k]) + Exact(b[k]) - Exact(u[k]) - Exact(v[k]));
+      }
+      return static_cast<int>(CGAL::sign(exact));
+    });
 }
 }
 
 CircumcentreDistance::CircumcentreDistance(const LevelTriangulation& triangles, bool seenFromLevel1)
-  : Triangles(triangles)
-  , SeenFromLevel1(seenFromLevel1)
+  : Triangles(triangles),
+    SeenFromLevel1(seenFromLevel1)
 {
   this->Circumcentres.reserve(triangles.Triangles.size());
   for (const auto& t : triangles.Triangles)
@@ -109,9 +112,8 @@ bool CircumcentreDistance::IsNearer(int triangle, const Point2& p, const Point2&
 bool CircumcentreDistance::IsNearerExactly(int triangle, const Point2& p, const Point2& q) const
 {
   const auto& t = this->Triangles.Triangles[triangle];
-  const auto at = [](const Point2& point, double height) {
-    return Kernel::Point_3(point[0], point[1], height);
-  };
+  const auto at = [](const Point2& point, double height)
+  { return Kernel::Point_3(point[0], point[1], height); };
   const auto side = CGAL::side_of_bounded_sphere(at(this->Triangles.Points[t[0]], 0),
     at(this->Triangles.Points[t[1]], 0), at(this->Triangles.Points[t[2]], 0), at(q, 1), at(p, 1));
   if (side != CGAL::ON_BOUNDARY)
@@ -130,8 +132,8 @@ int SignAlongRightNormal(const Point2& u, const Point2& v, const Point2& a, cons
 
 int SideOfNode(const Point2& a, const Point2& b, const Point2& u, const Point2& v)
 {
-  // The node is m + s n, m the midpoint of a-b and n its left normal; equally far from u and v means
-  // |m - u|^2 - |m - v|^2 = 2 s n . (u - v).
+  // The node is m + s n, m the midpoint of a-b and n its left normal; equally far from u and v
+  // means |m - u|^2 - |m - v|^2 = 2 s n . (u - v).
   const int distance = SignOfMidpointDistance(a, b, u, v);
   const int along = -SignAlongRightNormal(a, b, v, u);
   return distance * along;

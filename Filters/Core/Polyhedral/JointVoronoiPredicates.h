@@ -16,14 +16,16 @@ namespace recon
 /**
  * "Is p nearer than q to the circumcentre of triangle t?", never a tie.
  *
- * t is of one level, p and q of the other. This is one in-sphere test: t at height 0, p and q at height 1,
- * whatever the distance of the planes. A floating-point filter with a proven bound decides nearly always,
- * exact arithmetic the rest, and the displacement of level 2 what is exactly equal.
+ * t is of one level, p and q of the other. This is one in-sphere test: t at height 0, p and q at
+ * height 1, whatever the distance of the planes. A floating-point filter with a proven bound
+ * decides nearly always, exact arithmetic the rest, and the displacement of level 2 what is exactly
+ * equal.
  */
 class CircumcentreDistance
 {
 public:
-  /// seenFromLevel1: t belongs to level 1, so of two equally near vertices the larger one is nearer.
+  /// seenFromLevel1: t belongs to level 1, so of two equally near vertices the larger one is
+  /// nearer.
   CircumcentreDistance(const LevelTriangulation& triangles, bool seenFromLevel1);
 
   bool IsNearer(int triangle, const Point2& p, const Point2& q) const;
@@ -49,8 +51,8 @@ private:
 int SignAlongRightNormal(const Point2& u, const Point2& v, const Point2& a, const Point2& b);
 
 /**
- * Which side of the edge a-b the crossing of its bisector with the bisector of u-v lies on: +1 left of
- * a->b, -1 right, 0 on the edge. The bisectors must not be parallel. Exact.
+ * Which side of the edge a-b the crossing of its bisector with the bisector of u-v lies on: +1 left
+ * of a->b, -1 right, 0 on the edge. The bisectors must not be parallel. Exact.
  */
 int SideOfNode(const Point2& a, const Point2& b, const Point2& u, const Point2& v);
 }

@@ -6,10 +6,10 @@
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/spatial_sort.h>
 #include <CGAL/Triangulation_conformer_2.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
-#include <CGAL/spatial_sort.h>
 
 #include <algorithm>
 #include <cmath>
@@ -49,8 +49,8 @@ using VertexHandle = Triangulation::Vertex_handle;
 using FaceHandle = Triangulation::Face_handle;
 using Edge = Triangulation::Edge;
 
-/// Circumcentres of cocircular points differ by rounding only: nearer than this share of the level's
-/// diagonal they are one point.
+/// Circumcentres of cocircular points differ by rounding only: nearer than this share of the
+/// level's diagonal they are one point.
 constexpr double NearestPoints = 1e-7;
 
 Point2 FromCGAL(const Kernel::Point_2& p)
@@ -80,8 +80,8 @@ struct LevelTriangulator::Implementation
   double Diagonal = 0;
 
   Implementation(const ContourSet& contours, int level)
-    : Contours(contours)
-    , OfLevel(contours.Levels[level])
+    : Contours(contours),
+      OfLevel(contours.Levels[level])
   {
   }
 
@@ -93,7 +93,8 @@ struct LevelTriangulator::Implementation
   void LabelChain(VertexHandle from, VertexHandle to, int contour);
   void MarkStarInside(VertexHandle v);
   bool IsWithinRounding(const Kernel::Point_2& p, FaceHandle face) const;
-  bool MayInsert(const Kernel::Point_2& p, FaceHandle hint, FaceHandle& where, VertexHandle& twin) const;
+  bool MayInsert(
+    const Kernel::Point_2& p, FaceHandle hint, FaceHandle& where, VertexHandle& twin) const;
 
   std::vector<VertexHandle> VertexOf; ///< by index into ContourSet::Points
 };
@@ -125,7 +126,8 @@ std::vector<VertexHandle> LevelTriangulator::Implementation::InsertContourVertic
   return vertexOf;
 }
 
-void LevelTriangulator::Implementation::InsertContourEdges(const std::vector<VertexHandle>& vertexOf)
+void LevelTriangulator::Implementation::InsertContourEdges(
+  const std::vector<VertexHandle>& vertexOf)
 {
   for (int c : this->OfLevel.Contours)
   {
@@ -155,7 +157,8 @@ void LevelTriangulator::Implementation::Conform()
   catch (const std::exception& failure)
   {
     throw Error("Level at offset " + std::to_string(this->OfLevel.Offset) +
-      ": the contours could not be refined to a conforming triangulation (" + failure.what() + ").");
+      ": the contours could not be refined to a conforming triangulation (" + failure.what() +
+      ").");
   }
   this->ClassifyFaces();
 }
@@ -204,7 +207,8 @@ void LevelTriangulator::Implementation::LabelContourEdges(const std::vector<Vert
 }
 
 /// Name the pieces into which the contour edge from-to was cut. Points added on a contour edge have
-/// exactly two contour edges, so a chain that leaves `from` can be followed to the next contour vertex.
+/// exactly two contour edges, so a chain that leaves `from` can be followed to the next contour
+/// vertex.
 void LevelTriangulator::Implementation::LabelChain(VertexHandle from, VertexHandle to, int contour)
 {
   auto start = this->Delaunay.incident_edges(from);
@@ -260,7 +264,8 @@ void LevelTriangulator::Implementation::LabelChain(VertexHandle from, VertexHand
 /**
  * p lies in IR, on no other vertex, and in no contour edge's diametral circle.
  *
- * `where` is the face that holds p, `twin` an internal point that p repeats within rounding, if any.
+ * `where` is the face that holds p, `twin` an internal point that p repeats within rounding, if
+ * any.
  */
 bool LevelTriangulator::Implementation::MayInsert(
   const Kernel::Point_2& p, FaceHandle hint, FaceHandle& where, VertexHandle& twin) const
@@ -466,7 +471,8 @@ Point2 LevelTriangulation::VoronoiVertex(int triangle) const
 
 Point2 Circumcentre(const Point2& a, const Point2& b, const Point2& c)
 {
-  // CGAL's construction asserts a determinant that is not zero; here a flat triangle gives infinity.
+  // CGAL's construction asserts a determinant that is not zero; here a flat triangle gives
+  // infinity.
   const double bx = b[0] - a[0], by = b[1] - a[1], cx = c[0] - a[0], cy = c[1] - a[1];
   const double b2 = bx * bx + by * by, c2 = cx * cx + cy * cy;
   const double twice = 2 * (bx * cy - by * cx);

@@ -31,7 +31,8 @@ struct LevelTriangulation
   {
     LevelBelow = 1,
     LevelAbove = 2,
-    Cover = 4 ///< neither: put there so that a part of a contour that nothing faces keeps a thickness
+    Cover =
+      4 ///< neither: put there so that a part of a contour that nothing faces keeps a thickness
   };
 
   std::vector<Point2> Points;
@@ -44,8 +45,8 @@ struct LevelTriangulation
   std::vector<unsigned char> Inside;           ///< triangle belongs to IR
   std::vector<int> StarTriangle;               ///< of a point: one triangle that has it as a corner
 
-  /// Planar position of a Voronoi vertex (circumcentre of a triangle), rounded; not finite where the
-  /// triangle is flat within rounding.
+  /// Planar position of a Voronoi vertex (circumcentre of a triangle), rounded; not finite where
+  /// the triangle is flat within rounding.
   Point2 VoronoiVertex(int triangle) const;
 };
 

@@ -16,8 +16,8 @@ namespace
 {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
-/// A tetrahedron may be flattened to this share of its volume, so that rounding of the result in a tilted
-/// frame cannot turn it over either.
+/// A tetrahedron may be flattened to this share of its volume, so that rounding of the result in a
+/// tilted frame cannot turn it over either.
 constexpr double LeastVolume = 0.05;
 
 /// Distances in the plane of a level to its contour edges.
@@ -58,9 +58,9 @@ class SlabLifting
 public:
   SlabLifting(const LevelGeometry& level1, const LevelGeometry& level2, const SlabTetrahedra& slab,
     const std::vector<unsigned char>& wanted1, const std::vector<unsigned char>& wanted2)
-    : Levels{ { level1, level2 } }
-    , Slab(slab)
-    , Wanted{ { &wanted1, &wanted2 } }
+    : Levels{ { level1, level2 } },
+      Slab(slab),
+      Wanted{ { &wanted1, &wanted2 } }
   {
     for (int side : { 0, 1 })
     {
@@ -100,7 +100,8 @@ public:
     std::vector<double> heights = this->Heights[side];
     for (double& height : heights)
     {
-      height = height == this->Levels[side].Offset ? std::numeric_limits<double>::quiet_NaN() : height;
+      height =
+        height == this->Levels[side].Offset ? std::numeric_limits<double>::quiet_NaN() : height;
     }
     return heights;
   }

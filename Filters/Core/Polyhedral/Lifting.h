@@ -13,12 +13,13 @@ namespace recon
 /**
  * Heights of the internal points of a slab's two levels inside that slab.
  *
- * A move must not turn any tetrahedron at the point over, kept or not: the point is moved less, or not at
- * all, where it would. So the tetrahedra of the slab still fill space without overlap, and the surface
- * never crosses itself. Points are treated in their order, so the result is always the same.
+ * A move must not turn any tetrahedron at the point over, kept or not: the point is moved less, or
+ * not at all, where it would. So the tetrahedra of the slab still fill space without overlap, and
+ * the surface never crosses itself. Points are treated in their order, so the result is always the
+ * same.
  *
- * wanted1, wanted2: the points of level 1 and 2 to be lifted. Writes lower.Above and upper.Below, each as
- * long as the level's points, NaN where not lifted.
+ * wanted1, wanted2: the points of level 1 and 2 to be lifted. Writes lower.Above and upper.Below,
+ * each as long as the level's points, NaN where not lifted.
  */
 void LiftInternalPoints(const LevelGeometry& level1, const LevelGeometry& level2,
   const SlabTetrahedra& slab, const std::vector<unsigned char>& wanted1,

@@ -18,15 +18,16 @@ namespace recon
 {
 namespace
 {
-/// The stages of the method in their order; every one is timed and takes its share of the progress bar.
+/// The stages of the method in their order; every one is timed and takes its share of the progress
+/// bar.
 class Pipeline
 {
 public:
   Pipeline(const ContourSet& contours, const PolyhedralOptions& options, Monitor& monitor)
-    : Contours(contours)
-    , Options(options)
-    , Observer(monitor)
-    , LevelCount(static_cast<int>(contours.Levels.size()))
+    : Contours(contours),
+      Options(options),
+      Observer(monitor),
+      LevelCount(static_cast<int>(contours.Levels.size()))
   {
   }
 
@@ -67,11 +68,13 @@ private:
   {
     this->Triangulators.resize(this->LevelCount);
     this->Triangulations.resize(this->LevelCount);
-    this->Timed("triangulate levels", [&] {
-      this->ForAll(this->LevelCount, { 0, 0.3, "triangulating levels" }, [&](int i) {
-        this->Triangulators[i] = std::make_unique<LevelTriangulator>(this->Contours, i);
+    this->Timed("triangulate levels",
+      [&]
+      {
+        this->ForAll(this->LevelCount, { 0, 0.3, "triangulating levels" },
+          [&](int i)
+          { this->Triangulators[i] = std::make_unique<LevelTriangulator>(this->Contours, i); });
       });
-    });
     this->Timed("insert internal points", [&] { this->InsertInternalPoints(); });
     for (int i = 0; i < this->LevelCount; ++i)
     {
@@ -87,27 +90,32 @@ private:
       this->ForAll(this->LevelCount, { 0.3, 0.35, "tracing Voronoi skeletons" },
         [&](int i) { skeletons[i] = this->Triangulators[i]->ExternalVoronoiVertices(); });
     }
-    this->ForAll(this->LevelCount, { 0.35, 0.5, "inserting internal points" }, [&](int i) {
-      if (i > 0)
+    this->ForAll(this->LevelCount, { 0.35, 0.5, "inserting internal points" },
+      [&](int i)
       {
-        this->Triangulators[i]->AddInternalPoints(skeletons[i - 1], LevelTriangulation::LevelBelow);
-      }
-      if (i + 1 < this->LevelCount)
-      {
-        this->Triangulators[i]->AddInternalPoints(skeletons[i + 1], LevelTriangulation::LevelAbove);
-      }
-      this->Triangulations[i] = this->Triangulators[i]->Finish();
-    });
+        if (i > 0)
+        {
+          this->Triangulators[i]->AddInternalPoints(
+            skeletons[i - 1], LevelTriangulation::LevelBelow);
+        }
+        if (i + 1 < this->LevelCount)
+        {
+          this->Triangulators[i]->AddInternalPoints(
+            skeletons[i + 1], LevelTriangulation::LevelAbove);
+        }
+        this->Triangulations[i] = this->Triangulators[i]->Finish();
+      });
   }
 
   /**
    * Tetrahedra and heights of all slabs, once more for levels that had bare parts.
    *
-   * Cover points change their level and the two slabs at it, which can lay others bare; a few rounds do.
+   * Cover points change their level and the two slabs at it, which can lay others bare; a few
+   * rounds do.
    */
   void BuildSlabs()
   {
-    constexpr int Rounds = 4;
+    constexpr int Rounds = 3;
     this->Slabs.resize(this->LevelCount - 1);
     this->Lifted.resize(this->LevelCount);
     std::vector<unsigned char> changed(this->LevelCount, 1);
@@ -115,19 +123,26 @@ private:
     for (int round = 0; round < Rounds; ++round)
     {
       const double from = 0.5 + share * round;
-      this->Timed("join Voronoi diagrams", [&] {
-        this->ForAll(
-          this->LevelCount - 1, { from, from + 0.7 * share, "joining Voronoi diagrams" }, [&](int i) {
-            if (changed[i] || changed[i + 1])
+      this->Timed("join Voronoi diagrams",
+        [&]
+        {
+          this->ForAll(this->LevelCount - 1,
+            { from, from + 0.7 * share, "joining Voronoi diagrams" },
+            [&](int i)
             {
-              this->Slabs[i] =
-                BuildJointVoronoi(this->Triangulations[i], this->Triangulations[i + 1]);
-              EliminateTetrahedra(this->Triangulations[i], this->Triangulations[i + 1], this->Slabs[i]);
-            }
-          });
-      });
+              if (changed[i] || changed[i + 1])
+              {
+                this->Slabs[i] =
+                  BuildJointVoronoi(this->Triangulations[i], this->Triangulations[i + 1]);
+                EliminateTetrahedra(
+                  this->Triangulations[i], this->Triangulations[i + 1], this->Slabs[i]);
+              }
+            });
+        });
       this->Timed("lift internal points",
-        [&] { this->LiftPoints({ from + 0.7 * share, from + share, "lifting internal points" }); });
+        [&] {
+          this->LiftPoints({ from + 0.7 * share, from + share, "lifting internal points" });
+        });
       if (round + 1 == Rounds || !this->CoverBareParts(changed))
       {
         return;
@@ -143,20 +158,24 @@ private:
   void LiftPoints(const ProgressRange& range)
   {
     this->Coverages.resize(this->LevelCount);
-    this->ForAll(this->LevelCount, { range.From, range.From, range.Stage }, [&](int i) {
-      this->Coverages[i] =
-        FindCoverage(this->Triangulations[i], this->SlabOrNull(i - 1), this->SlabOrNull(i));
-    });
-    this->ForAll(this->LevelCount - 1, range, [&](int i) {
-      LiftInternalPoints(this->Levels[i], this->Levels[i + 1], this->Slabs[i],
-        this->WantedPoints(i, LevelTriangulation::LevelAbove),
-        this->WantedPoints(i + 1, LevelTriangulation::LevelBelow), this->Lifted[i],
-        this->Lifted[i + 1]);
-    });
+    this->ForAll(this->LevelCount, { range.From, range.From, range.Stage },
+      [&](int i)
+      {
+        this->Coverages[i] =
+          FindCoverage(this->Triangulations[i], this->SlabOrNull(i - 1), this->SlabOrNull(i));
+      });
+    this->ForAll(this->LevelCount - 1, range,
+      [&](int i)
+      {
+        LiftInternalPoints(this->Levels[i], this->Levels[i + 1], this->Slabs[i],
+          this->WantedPoints(i, LevelTriangulation::LevelAbove),
+          this->WantedPoints(i + 1, LevelTriangulation::LevelBelow), this->Lifted[i],
+          this->Lifted[i + 1]);
+      });
   }
 
-  /// Points of a level to be lifted towards a neighbour: those that it asked for and cover points, but
-  /// none of a region that is not part of the surface.
+  /// Points of a level to be lifted towards a neighbour: those that it asked for and cover points,
+  /// but none of a region that is not part of the surface.
   std::vector<unsigned char> WantedPoints(int level, LevelTriangulation::AskedByType towards) const
   {
     const auto& triangulation = this->Triangulations[level];
@@ -184,34 +203,53 @@ private:
       changed[i] = points[i].empty() ? 0 : 1;
       any = any || changed[i];
     }
-    this->Timed("cover bare parts", [&] {
-      ParallelFor(
-        this->LevelCount, this->Options.Threads,
-        [&](int i) {
-          if (changed[i])
+    this->Timed("cover bare parts",
+      [&]
+      {
+        ParallelFor(this->LevelCount, this->Options.Threads,
+          [&](int i)
           {
-            this->Triangulators[i]->AddCoverPoints(points[i]);
-            this->Triangulations[i] = this->Triangulators[i]->Finish();
-          }
-        },
-        this->Observer, { 0.5, 0.5, "covering bare parts" });
-    });
+            if (changed[i])
+            {
+              this->Triangulators[i]->AddCoverPoints(points[i]);
+              this->Triangulations[i] = this->Triangulators[i]->Finish();
+            }
+          },
+          this->Observer, { 0.5, 0.5, "covering bare parts" });
+      });
     return any;
   }
 
   void ExtractSurface()
   {
-    this->Timed("extract surface", [&] {
-      this->Observer.Update(0.88, "extracting the surface");
-      const SolidComplex solid = BuildSolidComplex(this->Levels, this->Slabs, this->Lifted);
-      this->Observer.Update(0.93, "extracting the surface");
-      const SolidBoundary boundary = ExtractSolidBoundary(solid);
-      this->Observer.Update(0.97, "extracting the surface");
-      this->CopyPoints(solid, boundary);
-      this->CopyFaces(solid, boundary);
-      this->ReportContoursLeftOut(solid);
-    });
+    this->Timed("extract surface",
+      [&]
+      {
+        this->Observer.Update(0.88, "extracting the surface");
+        const SolidComplex solid =
+          BuildSolidComplex(this->Levels, this->Slabs, this->Lifted, this->TrianglesToCover());
+        this->Observer.Update(0.93, "extracting the surface");
+        const SolidBoundary boundary = ExtractSolidBoundary(solid);
+        this->Observer.Update(0.97, "extracting the surface");
+        this->CopyPoints(solid, boundary);
+        this->CopyFaces(solid, boundary);
+        this->ReportContoursLeftOut();
+      });
     this->Observer.Update(1, "extracting the surface");
+  }
+
+  std::vector<MustCover> TrianglesToCover() const
+  {
+    std::vector<MustCover> cover(this->LevelCount);
+    for (int i = 0; i < this->LevelCount; ++i)
+    {
+      cover[i] = this->Triangulations[i].Inside;
+      for (std::size_t t = 0; t < cover[i].size(); ++t)
+      {
+        cover[i][t] = cover[i][t] && !this->Coverages[i].Isolated[t] ? 1 : 0;
+      }
+    }
+    return cover;
   }
 
   Point3 PositionOf(const SolidComplex::Vertex& vertex) const
@@ -223,7 +261,8 @@ private:
 
   int KindOf(const SolidComplex::Vertex& vertex) const
   {
-    return this->Triangulations[vertex.Level].Kind[vertex.Local];
+    return vertex.Local < 0 ? PolyhedralSurface::Internal
+                            : this->Triangulations[vertex.Level].Kind[vertex.Local];
   }
 
   void CopyPoints(const SolidComplex& solid, const SolidBoundary& boundary)
@@ -294,50 +333,36 @@ private:
     return groups;
   }
 
-  /// A contour that no solid touches is named; so is a part of one that nothing faces.
-  void ReportContoursLeftOut(const SolidComplex& solid)
+  /// Contours of isolated regions are not part of the surface and are named.
+  void ReportContoursLeftOut()
   {
-    std::vector<unsigned char> used(solid.Vertices.size(), 0);
-    for (const auto& cell : solid.Cells)
+    std::vector<unsigned char> leftOut(this->Contours.Contours.size(), 0);
+    for (int i = 0; i < this->LevelCount; ++i)
     {
-      for (int v : cell.Vertices)
+      const auto& triangulation = this->Triangulations[i];
+      for (std::size_t t = 0; t < triangulation.Triangles.size(); ++t)
       {
-        used[v] = 1;
+        for (int k = 0; k < 3; ++k)
+        {
+          const int contour = triangulation.EdgeContour[t][k];
+          if (contour >= 0 && this->Coverages[i].Isolated[t])
+          {
+            leftOut[contour] = 1;
+          }
+        }
       }
     }
-    std::vector<int> missing(this->Contours.Contours.size(), 0);
-    std::vector<int> contourOf(this->Contours.Points.size(), -1);
-    for (std::size_t c = 0; c < this->Contours.Contours.size(); ++c)
+    for (std::size_t c = 0; c < leftOut.size(); ++c)
     {
-      for (int p : this->Contours.Contours[c].Points)
+      if (leftOut[c])
       {
-        contourOf[p] = static_cast<int>(c);
+        const auto& contour = this->Contours.Contours[c];
+        std::ostringstream line;
+        line << "Contour " << c << " (level " << contour.Level << ", offset "
+             << this->Contours.Levels[contour.Level].Offset << ", " << contour.Points.size()
+             << " points): left out, as no contour of the levels next to it lies opposite.";
+        this->Result.Report.push_back(line.str());
       }
-    }
-    for (std::size_t v = 0; v < solid.Vertices.size(); ++v)
-    {
-      const auto& vertex = solid.Vertices[v];
-      const int source = this->Triangulations[vertex.Level].Source[vertex.Local];
-      if (!vertex.Lifted && source >= 0 && !used[v])
-      {
-        ++missing[contourOf[source]];
-      }
-    }
-    for (std::size_t c = 0; c < missing.size(); ++c)
-    {
-      if (missing[c] == 0)
-      {
-        continue;
-      }
-      const auto& contour = this->Contours.Contours[c];
-      const bool whole = missing[c] == static_cast<int>(contour.Points.size());
-      std::ostringstream line;
-      line << "Contour " << c << " (level " << contour.Level << ", offset "
-           << this->Contours.Levels[contour.Level].Offset << ", " << contour.Points.size()
-           << " points): "
-           << (whole ? "left out" : std::to_string(missing[c]) + " of its points left out")
-           << ", as no contour of the levels next to it lies opposite.";
-      this->Result.Report.push_back(line.str());
     }
   }
 
@@ -360,8 +385,9 @@ PolyhedralSurface BuildPolyhedralSurface(
 {
   if (!contours.Parallel)
   {
-    throw Error("The contours lie in planes of several directions; the polyhedral surface needs parallel "
-                "planes. Use Implicit Surface for these.");
+    throw Error(
+      "The contours lie in planes of several directions; the polyhedral surface needs parallel "
+      "planes. Use Implicit Surface for these.");
   }
   if (contours.Levels.size() < 2)
   {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @file PolyhedralSurface.h
- * @brief The whole Polyhedral Surface Method: parallel contours in, the closed boundary of a solid out.
+ * @brief The whole Polyhedral Surface Method: parallel contours in, the closed boundary of a solid
+ * out.
  */
 #ifndef recon_PolyhedralSurface_h
 #define recon_PolyhedralSurface_h
@@ -20,13 +21,13 @@ struct PolyhedralOptions
 {
   bool InternalPoints = true;     ///< thesis 5.3
   bool LiftInternalPoints = true; ///< thesis 6.2
-  int Threads = 0;                ///< 0 = as many as the machine has; the result does not depend on it
+  int Threads = 0; ///< 0 = as many as the machine has; the result does not depend on it
 };
 
 /**
  * The boundary of the solid that the kept tetrahedra fill: closed, oriented outward, edge- and
- * vertex-manifold by index, not crossing itself. Every contour vertex that is not named in Report is a
- * point of it, to the last bit.
+ * vertex-manifold by index, not crossing itself. Every contour vertex that is not named in Report
+ * is a point of it, to the last bit.
  */
 struct PolyhedralSurface
 {
@@ -43,10 +44,11 @@ struct PolyhedralSurface
   };
 
   TriangleMesh Mesh;
-  std::vector<int> Slab;         ///< a triangle: number of the slab it bounds, 0 = between levels 0 and 1
-  std::vector<int> FaceKind;     ///< a triangle: FaceKindType
-  std::vector<int> MappingGroup; ///< a triangle: number of the group of contours that its slab joins
-  std::vector<int> PointKind;    ///< a point: PointKindType
+  std::vector<int> Slab; ///< a triangle: number of the slab it bounds, 0 = between levels 0 and 1
+  std::vector<int> FaceKind; ///< a triangle: FaceKindType
+  std::vector<int>
+    MappingGroup;             ///< a triangle: number of the group of contours that its slab joins
+  std::vector<int> PointKind; ///< a point: PointKindType
   std::vector<std::string> Report;
   std::vector<std::pair<std::string, double>> StageSeconds; ///< wall time by stage
 };

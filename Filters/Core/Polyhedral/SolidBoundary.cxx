@@ -18,8 +18,7 @@ constexpr std::array<std::array<int, 3>, 4> OutwardFace{ { { { 1, 2, 3 } }, { { 
 class DisjointSets
 {
 public:
-  explicit DisjointSets(std::size_t count)
-    : Parent(count)
+  explicit DisjointSets(std::size_t count) : Parent(count)
   {
     std::iota(this->Parent.begin(), this->Parent.end(), 0);
   }
@@ -49,10 +48,7 @@ private:
 class Extraction
 {
 public:
-  explicit Extraction(const SolidComplex& solid)
-    : Solid(solid)
-  {
-  }
+  explicit Extraction(const SolidComplex& solid) : Solid(solid) {}
 
   SolidBoundary Run()
   {
@@ -88,8 +84,8 @@ private:
     }
   }
 
-  /// Partner of edge j of a face (from its corner j to the next): 3 * face + edge of the face reached by
-  /// turning around the edge through the solid.
+  /// Partner of edge j of a face (from its corner j to the next): 3 * face + edge of the face
+  /// reached by turning around the edge through the solid.
   int Turn(int face, int j) const
   {
     const auto& points = this->Boundary.Faces[face].Points;
@@ -207,7 +203,8 @@ private:
       this->Boundary.Points.push_back({ v, w });
       for (int side : { h, this->Partner[h] })
       {
-        middles.emplace(side / 3, std::array<int, 3>{ { -1, -1, -1 } }).first->second[side % 3] = middle;
+        middles.emplace(side / 3, std::array<int, 3>{ { -1, -1, -1 } }).first->second[side % 3] =
+          middle;
       }
     }
     std::vector<std::pair<int, std::array<int, 3>>> ordered(middles.begin(), middles.end());
@@ -236,9 +233,10 @@ private:
     const int size = static_cast<int>(polygon.size());
     for (int i = 1; i + 1 < size; ++i)
     {
-      const SolidBoundary::Face piece{ { { polygon[apex], polygon[(apex + i) % size],
-                                         polygon[(apex + i + 1) % size] } },
-        whole.Cell };
+      const SolidBoundary::Face piece{
+        { { polygon[apex], polygon[(apex + i) % size], polygon[(apex + i + 1) % size] } },
+        whole.Cell
+      };
       if (i == 1)
       {
         this->Boundary.Faces[face] = piece;

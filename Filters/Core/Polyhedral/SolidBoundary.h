@@ -3,11 +3,11 @@
  * @file SolidBoundary.h
  * @brief The boundary of the solid as a closed manifold.
  *
- * A face of one kept tetrahedron only is surface, so the surface is closed and oriented by construction and the
- * horizontal caps (thesis 6.4) come out by themselves. Where the solid touches itself in an edge or a
- * vertex (thesis 11.2.2, figure 11.3), the boundary is cut apart: the faces of one wedge of solid stay together
- * and each wedge gets points of its own. Which faces these are is found by turning around the edge through
- * the tetrahedra, so no coordinate decides it.
+ * A face of one kept tetrahedron only is surface, so the surface is closed and oriented by
+ * construction and the horizontal caps (thesis 6.4) come out by themselves. Where the solid touches
+ * itself in an edge or a vertex (thesis 11.2.2, figure 11.3), the boundary is cut apart: the faces
+ * of one wedge of solid stay together and each wedge gets points of its own. Which faces these are
+ * is found by turning around the edge through the tetrahedra, so no coordinate decides it.
  */
 #ifndef recon_SolidBoundary_h
 #define recon_SolidBoundary_h
@@ -23,8 +23,9 @@ struct SolidBoundary
 {
   struct Point
   {
-    int Vertex;        ///< index into SolidComplex::Vertices
-    int OtherVertex;   ///< -1, or the other end of an edge that was halved: the point is in its middle
+    int Vertex; ///< index into SolidComplex::Vertices
+    int
+      OtherVertex; ///< -1, or the other end of an edge that was halved: the point is in its middle
   };
 
   struct Face

@@ -21,10 +21,11 @@ class Builder
 {
 public:
   Builder(const std::vector<LevelGeometry>& levels, const std::vector<SlabTetrahedra>& slabs,
-    const std::vector<LiftedHeights>& lifted)
-    : Levels(levels)
-    , Slabs(slabs)
-    , Lifted(lifted)
+    const std::vector<LiftedHeights>& lifted, const std::vector<MustCover>& mustCover)
+    : Levels(levels),
+      Slabs(slabs),
+      Lifted(lifted),
+      Cover(mustCover)
   {
   }
 
@@ -86,8 +87,10 @@ private:
 
   void AddSlab(int slab, std::vector<Side>& aboveLower, std::vector<Side>& belowUpper)
   {
-    const std::vector<int> lower = this->AddLiftedVertices(slab, this->Lifted[slab].Above);
-    const std::vector<int> upper = this->AddLiftedVertices(slab + 1, this->Lifted[slab + 1].Below);
+    this->Lower.push_back(this->AddLiftedVertices(slab, this->Lifted[slab].Above));
+    this->Upper.push_back(this->AddLiftedVertices(slab + 1, this->Lifted[slab + 1].Below));
+    const std::vector<int>& lower = this->Lower.back();
+    const std::vector<int>& upper = this->Upper.back();
     const auto& tetrahedra = this->Slabs[slab].Tetrahedra;
 
     std::vector<int> cellOf(tetrahedra.size(), -1);
@@ -105,7 +108,8 @@ private:
       Cell cell{ {}, {}, slab };
       for (int k = 0; k < 4; ++k)
       {
-        cell.Vertices[k] = SlabTetrahedra::OnLevel2(t, k) ? upper[t.Corners[k]] : lower[t.Corners[k]];
+        cell.Vertices[k] =
+          SlabTetrahedra::OnLevel2(t, k) ? upper[t.Corners[k]] : lower[t.Corners[k]];
         cell.Neighbours[k] = t.Neighbours[k] < 0 ? -1 : cellOf[t.Neighbours[k]];
       }
       this->Complex.Cells.push_back(cell);
@@ -119,8 +123,8 @@ private:
    * Fill the space between the plane of a level and its lifted triangles in one slab.
    *
    * baseCells: of every triangle its T1 (or T2) cell, or -1. sides: receives what the plane sees.
-   * A triangle grows one tetrahedron for each lifted corner, in the order of the point numbers, so that
-   * triangles that share an edge agree on the faces above it.
+   * A triangle grows one tetrahedron for each lifted corner, in the order of the point numbers, so
+   * that triangles that share an edge agree on the faces above it.
    */
   void FillGap(int slab, int level, const std::vector<int>& seen, const int* baseCells,
     std::vector<Side>& sides)
@@ -205,8 +209,8 @@ private:
     }
   }
 
-  /// The upright face of the cell that lifts a corner, opposite another corner of its triangle, is shared
-  /// with the cell that lifts the same point in the triangle across that edge.
+  /// The upright face of the cell that lifts a corner, opposite another corner of its triangle, is
+  /// shared with the cell that lifts the same point in the triangle across that edge.
   void JoinSideways(const LevelTriangulation& triangulation, int t, int lifted, int other,
     bool upwards, const std::vector<std::array<int, 3>>& lifting)
   {
@@ -226,31 +230,81 @@ private:
 
   void JoinAcrossPlane(int level, const std::vector<Side>& above, const std::vector<Side>& below)
   {
-    const auto& triangulation = *this->Levels[level].Triangulation;
     for (std::size_t t = 0; t < above.size(); ++t)
     {
       if (above[t].Cell >= 0 && below[t].Cell >= 0)
       {
         this->Join(above[t], below[t]);
       }
-      else if (above[t].Cell < 0 && below[t].Cell < 0 && triangulation.Inside[t])
+      else if (above[t].Cell < 0 && below[t].Cell < 0 && this->Cover[level][t])
       {
-        this->Complex.UncoveredTriangles.push_back({ level, static_cast<int>(t) });
+        this->AddPyramid(level, static_cast<int>(t));
       }
     }
+  }
+
+  /// Its tip lies on the line from the triangle's centroid to the apex of the tetrahedron there, so
+  /// it is inside; as high as the triangle is wide, at most a quarter of the slab.
+  void AddPyramid(int level, int t)
+  {
+    const bool upwards = level < static_cast<int>(this->Slabs.size());
+    const int slab = upwards ? level : level - 1;
+    const auto& tetrahedra = this->Slabs[slab].Tetrahedra;
+    const int apex = upwards
+      ? this->Upper[slab][tetrahedra[t].Corners[3]]
+      : this->Lower[slab][tetrahedra[this->Slabs[slab].NumberOfT1 + t].Corners[3]];
+    const auto& top = this->Complex.Vertices[apex];
+    const auto& triangulation = *this->Levels[level].Triangulation;
+    const auto& corners = triangulation.Triangles[t];
+    Cell cell{ {}, { { -1, -1, -1, -1 } }, slab };
+    Point2 centroid{ { 0, 0 } };
+    for (int k = 0; k < 3; ++k)
+    {
+      const Point2& p = triangulation.Points[corners[k]];
+      centroid = { centroid[0] + p[0] / 3, centroid[1] + p[1] / 3 };
+      cell.Vertices[GapCorner(k, upwards)] = this->FirstVertex[level] + corners[k];
+    }
+    const double rise = top.Height - this->Levels[level].Offset;
+    const double share = std::min(0.25, Inradius(triangulation, corners) / std::abs(rise));
+    cell.Vertices[3] = static_cast<int>(this->Complex.Vertices.size());
+    this->Complex.Vertices.push_back({ { centroid[0] + share * (top.Planar[0] - centroid[0]),
+                                         centroid[1] + share * (top.Planar[1] - centroid[1]) },
+      this->Levels[level].Offset + share * rise, level, -1, true });
+    this->Complex.Cells.push_back(cell);
+  }
+
+  static double Inradius(const LevelTriangulation& level, const std::array<int, 3>& corners)
+  {
+    double perimeter = 0;
+    for (int k = 0; k < 3; ++k)
+    {
+      const Point2& p = level.Points[corners[k]];
+      const Point2& q = level.Points[corners[(k + 1) % 3]];
+      perimeter += std::hypot(q[0] - p[0], q[1] - p[1]);
+    }
+    const Point2& a = level.Points[corners[0]];
+    const Point2& b = level.Points[corners[1]];
+    const Point2& c = level.Points[corners[2]];
+    const double twiceArea = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+    return twiceArea / perimeter;
   }
 
   const std::vector<LevelGeometry>& Levels;
   const std::vector<SlabTetrahedra>& Slabs;
   const std::vector<LiftedHeights>& Lifted;
+  const std::vector<MustCover>& Cover;
   std::vector<int> FirstVertex;
+  std::vector<std::vector<int>>
+    Lower; ///< by slab: vertices of its lower level as the slab sees them
+  std::vector<std::vector<int>> Upper; ///< the same of its upper level
   SolidComplex Complex;
 };
 }
 
 SolidComplex BuildSolidComplex(const std::vector<LevelGeometry>& levels,
-  const std::vector<SlabTetrahedra>& slabs, const std::vector<LiftedHeights>& lifted)
+  const std::vector<SlabTetrahedra>& slabs, const std::vector<LiftedHeights>& lifted,
+  const std::vector<MustCover>& mustCover)
 {
-  return Builder(levels, slabs, lifted).Build();
+  return Builder(levels, slabs, lifted, mustCover).Build();
 }
 }

@@ -3,15 +3,15 @@
  * @file SolidComplex.h
  * @brief All kept tetrahedra of all slabs as one simplicial complex, internal points lifted.
  *
- * One triangulation a level serves the slab below and the slab above, so the slabs fit together and the
- * thesis's last step (11.2.3, homogenising vertices between slabs) is not needed.
+ * One triangulation a level serves the slab below and the slab above, so the slabs fit together and
+ * the thesis's last step (11.2.3, homogenising vertices between slabs) is not needed.
  *
- * Lifting (thesis 6.2). An internal point p of a level is moved into the slab towards the level that
- * asked for it, to the fraction t = dA / (dA + dB) of the slab: dA and dB are its distances to the contours
- * of its own level and of the one that asked (shape-based interpolation, there where it is exact).
- * The point in the plane stays: p is split into p and its lifted copy p', and the space between the plane and
- * the lifted triangles is filled with tetrahedra. So the plane still shows the contours as they were, and a
- * point that both neighbours asked for is lifted both ways.
+ * Lifting (thesis 6.2). An internal point p of a level is moved into the slab towards the level
+ * that asked for it, to the fraction t = dA / (dA + dB) of the slab: dA and dB are its distances to
+ * the contours of its own level and of the one that asked (shape-based interpolation, there where
+ * it is exact). The point in the plane stays: p is split into p and its lifted copy p', and the
+ * space between the plane and the lifted triangles is filled with tetrahedra. So the plane still
+ * shows the contours as they were, and a point that both neighbours asked for is lifted both ways.
  */
 #ifndef recon_SolidComplex_h
 #define recon_SolidComplex_h
@@ -30,7 +30,7 @@ struct SolidComplex
     Point2 Planar;
     double Height; ///< along the common normal
     int Level;     ///< whose plane the vertex lies in, or was lifted out of
-    int Local;     ///< index into that level's LevelTriangulation::Points
+    int Local; ///< index into that level's LevelTriangulation::Points, or -1: in no triangulation
     bool Lifted;
   };
 
@@ -41,16 +41,8 @@ struct SolidComplex
     int Slab;
   };
 
-  /// A region of a level that no solid touches on either side.
-  struct Uncovered
-  {
-    int Level;
-    int Triangle;
-  };
-
   std::vector<Vertex> Vertices;
   std::vector<Cell> Cells;
-  std::vector<Uncovered> UncoveredTriangles;
 };
 
 struct LevelGeometry
@@ -59,18 +51,25 @@ struct LevelGeometry
   double Offset;
 };
 
-/**
- * lift: for every level and every point, its height in the slab above and in the slab below where it is
- * lifted there; NaN where it is not. See LiftInternalPoints.
- */
+/// Of every point of a level its height in the slab above and in the one below, NaN where it is not
+/// lifted there; empty where the level has no such slab or nothing was lifted.
 struct LiftedHeights
 {
   std::vector<double> Above;
   std::vector<double> Below;
 };
 
+/// Which triangles of a level must be part of the solid's closure: those of IR but for isolated
+/// regions.
+using MustCover = std::vector<unsigned char>;
+
+/**
+ * A triangle that must be covered and has no solid on either side (the acute tip of a contour,
+ * where no point can be inserted) carries a low pyramid inside its own T1 or T2 tetrahedron.
+ */
 SolidComplex BuildSolidComplex(const std::vector<LevelGeometry>& levels,
-  const std::vector<SlabTetrahedra>& slabs, const std::vector<LiftedHeights>& lifted);
+  const std::vector<SlabTetrahedra>& slabs, const std::vector<LiftedHeights>& lifted,
+  const std::vector<MustCover>& mustCover);
 }
 
 #endif

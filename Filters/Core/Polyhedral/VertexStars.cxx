@@ -15,8 +15,7 @@ int Rotate(const LevelTriangulation& level, int triangle, int v, int step)
 }
 }
 
-VertexStars::VertexStars(const LevelTriangulation& level)
-  : Level(level)
+VertexStars::VertexStars(const LevelTriangulation& level) : Level(level)
 {
   const int count = static_cast<int>(level.Points.size());
   this->First.reserve(count + 1);
