@@ -185,10 +185,16 @@ private:
     std::vector<std::vector<int>> inner(this->Edges.size());
     for (const EdgeConflicts::Touch& t : conflicts.Touches)
     {
-      inner[Index(t.Edge)].push_back(t.Vertex);
       const int loop = this->Edges[Index(t.Edge)].Loop;
       this->Mark(loop, this->Edges[Index(t.Other)].Loop);
-      ++this->Counts[Index(loop)].OnEdge;
+      std::vector<int>& onEdge = inner[Index(t.Edge)];
+      // Several edges may end in the point; touches are sorted, so it is the last one that was
+      // added.
+      if (onEdge.empty() || onEdge.back() != t.Vertex)
+      {
+        onEdge.push_back(t.Vertex);
+        ++this->Counts[Index(loop)].OnEdge;
+      }
     }
     for (const EdgeConflicts::Crossing& c : conflicts.Crossings)
     {

@@ -202,7 +202,7 @@ double SignedAreaOf(const std::vector<Point2>& points, const std::vector<int>& l
   }
   // Slivers, whose terms cancel, are summed exactly.
   const int sense = SenseOf(points, loop);
-  return area * sense > 1e-10 * size ? area : ExactArea(points, loop);
+  return area * sense > 1e-4 * size ? area : ExactArea(points, loop);
 }
 
 NestingForest BuildNestingForest(

@@ -12,6 +12,7 @@
 #include "Contours/ContourSet.h"
 #include "Contours/ExactPlane.h"
 
+#include <CGAL/Exact_rational.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -140,19 +141,19 @@ inline bool LiesIn(const ContourSet& set, const Contour& a, const Contour& b)
   return false;
 }
 
+/// In exact arithmetic, rounded once.
 inline double ShoelaceArea(const ContourSet& set, const Contour& contour)
 {
+  using Rational = CGAL::Exact_rational;
   const std::vector<int>& p = contour.Points;
-  const Point2& o = set.Planar[At(p[0])];
-  long double twice = 0;
+  Rational twice(0);
   for (std::size_t i = 0; i < p.size(); ++i)
   {
     const Point2& a = set.Planar[At(p[i])];
     const Point2& b = set.Planar[At(p[(i + 1) % p.size()])];
-    twice += (static_cast<long double>(a[0]) - o[0]) * (static_cast<long double>(b[1]) - o[1]) -
-      (static_cast<long double>(b[0]) - o[0]) * (static_cast<long double>(a[1]) - o[1]);
+    twice += (Rational(a[0]) + Rational(b[0])) * (Rational(b[1]) - Rational(a[1]));
   }
-  return static_cast<double>(twice / 2);
+  return 0.5 * CGAL::to_double(twice);
 }
 
 inline void CheckContour(const ContourSet& set, const Contour& contour)
