@@ -11,6 +11,9 @@
  * ExpectManifold(mesh);
  * ExpectOriented(mesh);             // consistently, and outward
  * ExpectNoSelfIntersections(mesh);  // none crosses or overlaps; touching is allowed
+ * ExpectContourVerticesOnSurface(mesh, contours); // each is a vertex of the mesh, to the last bit
+ * ExpectSectionsEqualContours(mesh, contours);    // the mesh cut at the levels gives the contours
+ * back
  * @endcode
  */
 #ifndef recon_Testing_MeshInvariants_h
@@ -19,10 +22,12 @@
 #include "Mesh/MassProperties.h"
 #include "Mesh/MeshDefects.h"
 #include "Mesh/MeshTopology.h"
+#include "Mesh/SectionComparison.h"
 #include "Mesh/SelfIntersections.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <string>
@@ -135,6 +140,61 @@ inline void ExpectVolume(const TriangleMesh& mesh, double volume, double relativ
     ComputeMassProperties(mesh, topology.ComponentOfTriangle, encloses).back();
   ASSERT_TRUE(whole.Volume.has_value()) << "the surface encloses no volume";
   EXPECT_NEAR(*whole.Volume, volume, relativeTolerance * std::fabs(volume));
+}
+
+/// Every vertex of every contour is a point of some triangle, with exactly its coordinates.
+inline void ExpectContourVerticesOnSurface(const TriangleMesh& mesh, const ContourSet& contours)
+{
+  std::vector<Point3> used;
+  for (const auto& t : mesh.Triangles)
+  {
+    for (const int p : t)
+    {
+      used.push_back(mesh.Points[p]);
+    }
+  }
+  std::sort(used.begin(), used.end());
+  int looked = 0;
+  int missing = 0;
+  std::ostringstream where;
+  where.precision(17);
+  for (const auto& contour : contours.Contours)
+  {
+    for (const int p : contour.Points)
+    {
+      const Point3& x = contours.Points[p];
+      ++looked;
+      if (!std::binary_search(used.begin(), used.end(), x) && missing++ < 3)
+      {
+        where << "\n  level " << contour.Level << " (" << x[0] << ", " << x[1] << ", " << x[2]
+              << ")";
+      }
+    }
+  }
+  EXPECT_GT(looked, 0) << "there are no contours to look for";
+  EXPECT_EQ(missing, 0) << "of " << looked << where.str();
+}
+
+/// At every level the area that belongs to the contours or to the surface's section alone is below
+/// `relative` of the contours' area.
+inline void ExpectSectionsEqualContours(
+  const TriangleMesh& mesh, const ContourSet& contours, double relative = 1e-6)
+{
+  Monitor monitor;
+  const auto levels = CompareSections(mesh, contours, SectionOptions(), monitor);
+  EXPECT_FALSE(levels.empty()) << "there are no contours to compare with";
+  for (const auto& level : levels)
+  {
+    if (!level.SymmetricDifference)
+    {
+      ADD_FAILURE() << "the surface is open at level " << level.Level << ", offset "
+                    << level.Offset;
+      continue;
+    }
+    EXPECT_LE(*level.SymmetricDifference, relative * level.ContourArea)
+      << "at level " << level.Level << ", offset " << level.Offset << ", contours "
+      << level.ContourArea << ", surface " << *level.SurfaceArea;
+  }
 }
 }
 }

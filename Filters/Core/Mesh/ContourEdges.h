@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @file ContourEdges.h
+ * @brief Finds the half-edges of a surface that a contour runs along.
+ */
+#ifndef recon_ContourEdges_h
+#define recon_ContourEdges_h
+
+#include "BRep.h"
+#include "HalfEdges.h"
+
+#include <unordered_map>
+#include <vector>
+
+namespace recon
+{
+/// Looks loops of positions up on one mesh, which must outlive it.
+class ContourEdges
+{
+public:
+  /// @param components the component of each triangle; a loop stays on one.
+  ContourEdges(
+    const TriangleMesh& mesh, const HalfEdges& edges, const std::vector<int>& components);
+
+  /// The half-edges along the loop, end to start and closed; empty where there are none.
+  std::vector<int> Find(const SpaceLoop& loop) const;
+
+private:
+  struct Hash
+  {
+    std::size_t operator()(const Point3& p) const;
+  };
+  struct Search;
+
+  bool FindFrom(Search& search, int start) const;
+  bool Advances(const SpaceLoop& loop, int corner, int from, int to) const;
+
+  const TriangleMesh& Mesh;
+  const HalfEdges& Edges;
+  const std::vector<int>& Components;
+  /// Points of one position: more than one where a manifold was cut from touching pieces.
+  std::unordered_map<Point3, std::vector<int>, Hash> PointsAt;
+  double Tolerance = 0;
+};
+}
+
+#endif
