@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @class vtkPolyhedralSurface
+ * @brief The whole Polyhedral Surface Method in one filter: parallel contours in, a closed surface
+ * out.
+ *
+ * Input: vtkPolyData whose closed loops are polylines, polygons or loose two-point segments on two
+ * or more parallel planes, in any unit and orientation, in any order. The filter cleans, nests and
+ * groups them itself (vtkContourHierarchy need not have run).
+ *
+ * Output: triangles in the coordinates and unit of the input that bound a solid: closed, oriented
+ * outward, a manifold, never crossing themselves, and through every contour vertex to the last bit.
+ * - cell arrays: `Slab` (0 = between the two lowest levels), `FaceKind` (0 wall, 1 cap),
+ * `MappingGroup`;
+ * - point array: `PointKind` (0 input vertex, 1 added on a contour edge, 2 internal);
+ * - field data: `Report` (a line for every contour repaired or left out, and why), `LevelNormal`,
+ *   `LevelOffset` (a value a level), `ContourCount`, `StageName` and `StageSeconds` (wall time).
+ *
+ * Errors (a sentence through vtkErrorMacro, and no output): no usable contour; contours on one
+ * plane only.
+ *
+ * Thesis part II: chapters 5 (joint Voronoi diagram) and 6 (elimination, lifting, special cases).
+ */
+#ifndef vtkPolyhedralSurface_h
+#define vtkPolyhedralSurface_h
+
+#include "PolyhedralFiltersModule.h" // for the export macro
+#include "vtkPolyDataAlgorithm.h"
+
+class POLYHEDRALFILTERS_EXPORT vtkPolyhedralSurface : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkPolyhedralSurface* New();
+  vtkTypeMacro(vtkPolyhedralSurface, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Insert vertices of the neighbouring levels' external Voronoi skeletons into a level
+   * (thesis 5.3). They let a surface branch between contours. On by default.
+   */
+  vtkSetMacro(InternalPoints, bool);
+  vtkGetMacro(InternalPoints, bool);
+  vtkBooleanMacro(InternalPoints, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Move internal points out of their level's plane, into the slab that asked for them
+   * (thesis 6.2), so that ridges between branches lie between the levels. On by default.
+   */
+  vtkSetMacro(LiftInternalPoints, bool);
+  vtkGetMacro(LiftInternalPoints, bool);
+  vtkBooleanMacro(LiftInternalPoints, bool);
+  ///@}
+
+  ///@{
+  /// Number of threads; 0, the default, takes all of the machine. The result does not depend on it.
+  vtkSetClampMacro(Threads, int, 0, 1024);
+  vtkGetMacro(Threads, int);
+  ///@}
+
+protected:
+  vtkPolyhedralSurface() = default;
+  ~vtkPolyhedralSurface() override = default;
+
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+private:
+  vtkPolyhedralSurface(const vtkPolyhedralSurface&) = delete;
+  void operator=(const vtkPolyhedralSurface&) = delete;
+
+  bool InternalPoints = true;
+  bool LiftInternalPoints = true;
+  int Threads = 0;
+};
+
+#endif
