@@ -261,7 +261,7 @@ private:
 
   int KindOf(const SolidComplex::Vertex& vertex) const
   {
-    return vertex.Local < 0 ? PolyhedralSurface::Internal
+    return vertex.Local < 0 ? static_cast<int>(PolyhedralSurface::Internal)
                             : this->Triangulations[vertex.Level].Kind[vertex.Local];
   }
 
