@@ -2,12 +2,14 @@
 #include "TextScanner.h"
 
 #include "Monitor.h"
+#include "TextFile.h"
 
 #include <charconv>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <utility>
 
 namespace recon
 {
@@ -43,32 +45,6 @@ std::string_view WithoutPlus(std::string_view token)
   return token.size() > 1 && token[0] == '+' && token[1] != '-' ? token.substr(1) : token;
 }
 
-std::string ReadWhole(const std::string& fileName)
-{
-  std::error_code status;
-  const std::filesystem::path path(fileName);
-  if (!std::filesystem::is_regular_file(path, status))
-  {
-    throw Error("Cannot read " + fileName + ": there is no such file.");
-  }
-  std::ifstream file(path, std::ios::binary);
-  if (!file)
-  {
-    throw Error("Cannot read " + fileName + ": it cannot be opened (permissions?).");
-  }
-  const auto size = std::filesystem::file_size(path, status);
-  if (status)
-  {
-    throw Error("Cannot read " + fileName + ": " + status.message() + ".");
-  }
-  std::string text(static_cast<std::size_t>(size), '\0');
-  file.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (file.gcount() != static_cast<std::streamsize>(text.size()))
-  {
-    throw Error("Cannot read " + fileName + ": the file ended while it was read.");
-  }
-  return text;
-}
 }
 
 bool ParseNumber(std::string_view token, double& value)
@@ -108,8 +84,13 @@ std::string ReadStart(const std::string& fileName, std::size_t bytes)
 }
 
 TextScanner::TextScanner(const std::string& fileName)
+  : TextScanner(fileName, ReadTextFile(fileName))
+{
+}
+
+TextScanner::TextScanner(const std::string& fileName, std::string text)
   : FileName(fileName),
-    Text(ReadWhole(fileName))
+    Text(std::move(text))
 {
   if (this->Text.compare(0, 3, "\xEF\xBB\xBF") == 0)
   {
@@ -193,13 +174,27 @@ int TextScanner::NextCount(const char* expected, std::size_t bytesEach)
   {
     this->FailExpected(expected, token);
   }
+  this->CheckCount(expected, count, bytesEach);
+  return count;
+}
+
+void TextScanner::CheckCount(const char* expected, int count, std::size_t bytesEach) const
+{
   // The last thing of a file may lack its separator: hence one byte more.
   if (static_cast<std::size_t>(count) > (this->BytesLeft() + 1) / bytesEach)
   {
     this->Fail(std::string(expected) + " is " + std::to_string(count) +
       ", more than the rest of the file can hold; it is truncated or the count is wrong.");
   }
-  return count;
+}
+
+void TextScanner::ExpectEnd(const std::string& where)
+{
+  if (!this->AtEnd())
+  {
+    const std::string expected = "the end of the file " + where;
+    this->FailExpected(expected.c_str(), this->Next(expected.c_str()));
+  }
 }
 
 void TextScanner::Expect(const char* token, const char* expected)

@@ -21,6 +21,9 @@ class TextScanner
 public:
   /// @throws Error where the file cannot be opened, is empty or is not text.
   explicit TextScanner(const std::string& fileName);
+  /// For formats with comments or punctuation, which the caller has turned into spaces and tokens:
+  /// text is the file's, line by line. @throws Error where it is empty or is not text.
+  TextScanner(const std::string& fileName, std::string text);
 
   /// The next token, or an empty view at the end of the file.
   std::string_view Peek();
@@ -34,6 +37,10 @@ public:
   int NextInteger(const char* expected);
   /// A count of things that take at least bytesEach bytes of file each, separators included.
   int NextCount(const char* expected, std::size_t bytesEach);
+  /// The same check for a count that the caller has read.
+  void CheckCount(const char* expected, int count, std::size_t bytesEach) const;
+  /// Nothing may follow; where completes "expected the end of the file ...".
+  void ExpectEnd(const std::string& where);
   /// The token and nothing else.
   void Expect(const char* token, const char* expected);
 

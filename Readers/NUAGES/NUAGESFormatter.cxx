@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "NUAGESFormatter.h"
 
+#include "TextFile.h"
+
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
 
 namespace recon
 {
@@ -21,19 +20,12 @@ struct Loop
   int Number = 0; ///< among the input's chains
 };
 
-/// A point for messages, short; the file gets Append's full precision.
+/// A point for messages, short; the file gets AppendNumber's full precision.
 std::string Shown(const Point3& p)
 {
   char text[96];
   std::snprintf(text, sizeof(text), "(%g, %g, %g)", p[0], p[1], p[2]);
   return text;
-}
-
-void Append(std::string& text, double value)
-{
-  char digits[32];
-  const auto result = std::to_chars(digits, digits + sizeof(digits), value);
-  text.append(digits, result.ptr);
 }
 
 double Diagonal(const LoopSoup& soup)
@@ -96,23 +88,6 @@ bool IsExactlyAt(const LoopSoup& soup, const Loop& loop, double z)
     loop.Points.begin(), loop.Points.end(), [&](int point) { return soup.Points[point][2] == z; });
 }
 
-void WriteWhole(const std::string& fileName, const std::string& text)
-{
-  std::ofstream file(fileName, std::ios::binary | std::ios::trunc);
-  if (!file)
-  {
-    throw Error("Cannot write " + fileName + ": it cannot be opened for writing.");
-  }
-  file.write(text.data(), static_cast<std::streamsize>(text.size()));
-  file.close();
-  if (!file)
-  {
-    std::error_code ignored;
-    std::filesystem::remove(fileName, ignored);
-    throw Error("Cannot write " + fileName + ": the disk may be full.");
-  }
-}
-
 class Formatter
 {
 public:
@@ -173,7 +148,7 @@ private:
       vertices += this->Loops[i].Points.size();
     }
     this->Text += "v " + std::to_string(vertices) + " z ";
-    Append(this->Text, z);
+    AppendNumber(this->Text, z);
     this->Text += '\n';
     for (std::size_t i = begin; i < end; ++i)
     {
@@ -192,9 +167,9 @@ private:
     this->Text += "{\n";
     for (const int point : loop.Points)
     {
-      Append(this->Text, this->Soup.Points[point][0]);
+      AppendNumber(this->Text, this->Soup.Points[point][0]);
       this->Text += ' ';
-      Append(this->Text, this->Soup.Points[point][1]);
+      AppendNumber(this->Text, this->Soup.Points[point][1]);
       this->Text += '\n';
     }
     this->Text += "}\n";
@@ -212,7 +187,7 @@ std::vector<std::string> WriteNUAGES(
   const std::string& fileName, const LoopSoup& loops, Monitor& monitor)
 {
   Formatter formatter(loops, monitor);
-  WriteWhole(fileName, formatter.Format());
+  WriteTextFile(fileName, formatter.Format());
   return formatter.Report;
 }
 }

@@ -320,20 +320,19 @@ private:
     {
       const int set = this->Sets.empty() ? 0 : this->Sets[t];
       const int shell = this->Components[t];
-      if (setOfShell[shell] >= 0)
+      const int at = static_cast<int>(place.emplace(set, place.size()).first->second);
+      if (setOfShell[shell] < 0)
       {
-        if (place.at(set) != static_cast<std::size_t>(setOfShell[shell]))
-        {
-          throw Error("Triangle " + std::to_string(t) +
-            " is in another shell set than triangles that it is joined to; a shell set holds whole "
-            "components.");
-        }
-        continue;
+        setOfShell[shell] = at;
+        brep.ShellSets.resize(place.size());
+        brep.ShellSets[at].Shells.push_back(std::move(this->Shells[shell]));
       }
-      const auto found = place.emplace(set, place.size()).first;
-      setOfShell[shell] = static_cast<int>(found->second);
-      brep.ShellSets.resize(place.size());
-      brep.ShellSets[found->second].Shells.push_back(std::move(this->Shells[shell]));
+      if (setOfShell[shell] != at)
+      {
+        throw Error("Triangle " + std::to_string(t) +
+          " is in another shell set than triangles that it is joined to; a shell set holds whole "
+          "components.");
+      }
     }
     return brep;
   }
