@@ -6,6 +6,7 @@
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -19,6 +20,12 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 /// A tetrahedron may be flattened to this share of its volume, so that rounding of the result in a
 /// tilted frame cannot turn it over either.
 constexpr double LeastVolume = 0.05;
+
+/// Points go up one at a time; after some rounds nothing much moves any more.
+constexpr int Sweeps = 10;
+
+/// Share of the remaining way below which a step is not worth a try.
+constexpr double SmallestStep = 1.0 / 16;
 
 /// Distances in the plane of a level to its contour edges.
 class ContourDistance
@@ -76,22 +83,11 @@ public:
     {
       return;
     }
-    const ContourDistance distance1(*this->Levels[0].Triangulation);
-    const ContourDistance distance2(*this->Levels[1].Triangulation);
-    for (int side : { 0, 1 })
+    this->FindTargets();
+    this->FindSmallestVolumes();
+    for (int sweep = 0; sweep < Sweeps && this->Sweep(); ++sweep)
     {
-      const auto& own = side == 0 ? distance1 : distance2;
-      const auto& other = side == 0 ? distance2 : distance1;
-      const auto& points = this->Levels[side].Triangulation->Points;
-      for (std::size_t p = 0; p < points.size(); ++p)
-      {
-        if (!this->Stars[side][p].empty())
-        {
-          const double dA = own(points[p]);
-          const double dB = other(points[p]);
-          this->Lift(side, static_cast<int>(p), dA / (dA + dB));
-        }
-      }
+      // A point that its neighbours held back may rise further now that they have risen.
     }
   }
 
@@ -126,37 +122,75 @@ private:
     return any;
   }
 
-  void Lift(int side, int point, double fraction)
+  void FindTargets()
   {
-    const double from = this->Levels[side].Offset;
-    const double whole = this->Levels[1 - side].Offset - from;
-    std::vector<double> volumes;
-    for (int t : this->Stars[side][point])
+    const ContourDistance distance1(*this->Levels[0].Triangulation);
+    const ContourDistance distance2(*this->Levels[1].Triangulation);
+    for (int side : { 0, 1 })
     {
-      volumes.push_back(this->Volume(t));
-    }
-    for (int attempt = 0; attempt < 6; ++attempt, fraction /= 2)
-    {
-      this->Heights[side][point] = from + fraction * whole;
-      if (this->Heights[side][point] != from && this->IsSafe(side, point, volumes))
+      const auto& own = side == 0 ? distance1 : distance2;
+      const auto& other = side == 0 ? distance2 : distance1;
+      const auto& points = this->Levels[side].Triangulation->Points;
+      const double whole = this->Levels[1 - side].Offset - this->Levels[side].Offset;
+      this->Targets[side] = this->Heights[side];
+      for (std::size_t p = 0; p < points.size(); ++p)
       {
-        return;
+        if (!this->Stars[side][p].empty())
+        {
+          const double dA = own(points[p]);
+          const double dB = other(points[p]);
+          this->Targets[side][p] += whole * dA / (dA + dB);
+        }
       }
     }
-    this->Heights[side][point] = from;
   }
 
-  bool IsSafe(int side, int point, const std::vector<double>& volumes) const
+  void FindSmallestVolumes()
   {
-    const auto& star = this->Stars[side][point];
-    for (std::size_t i = 0; i < star.size(); ++i)
+    this->SmallestVolume.resize(this->Slab.Tetrahedra.size());
+    for (std::size_t t = 0; t < this->SmallestVolume.size(); ++t)
     {
-      if (this->Volume(star[i]) < LeastVolume * volumes[i] || !this->IsPositive(star[i]))
+      this->SmallestVolume[t] = LeastVolume * this->Volume(static_cast<int>(t));
+    }
+  }
+
+  /// One try for every point that has not reached its target; returns whether any moved.
+  bool Sweep()
+  {
+    bool moved = false;
+    for (int side : { 0, 1 })
+    {
+      for (std::size_t p = 0; p < this->Stars[side].size(); ++p)
       {
-        return false;
+        moved = this->Raise(side, static_cast<int>(p)) || moved;
       }
     }
-    return true;
+    return moved;
+  }
+
+  bool Raise(int side, int point)
+  {
+    const double from = this->Heights[side][point];
+    const double way = this->Targets[side][point] - from;
+    double& height = this->Heights[side][point];
+    for (double fraction = 1; fraction >= SmallestStep; fraction /= 2)
+    {
+      height = from + fraction * way;
+      if (height != from && this->IsSafe(side, point))
+      {
+        return true;
+      }
+    }
+    height = from;
+    return false;
+  }
+
+  bool IsSafe(int side, int point) const
+  {
+    const auto& star = this->Stars[side][point];
+    return std::all_of(star.begin(), star.end(), [&](int t) {
+      return this->Volume(t) >= this->SmallestVolume[t] && this->IsPositive(t);
+    });
   }
 
   std::array<Kernel::Point_3, 4> CornersOf(int tetrahedron) const
@@ -188,6 +222,8 @@ private:
   const SlabTetrahedra& Slab;
   std::array<const std::vector<unsigned char>*, 2> Wanted;
   std::array<std::vector<double>, 2> Heights;
+  std::array<std::vector<double>, 2> Targets;
+  std::vector<double> SmallestVolume; ///< that a tetrahedron must keep
   std::array<std::vector<std::vector<int>>, 2> Stars; ///< tetrahedra at every point to be lifted
 };
 }

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @file ContourMapping.h
+ * @brief Which regions of adjacent levels belong together (2D shape similarity, thesis chapter 3).
+ *
+ * Notation (thesis 3.1 to 3.3):
+ *   SR, NSR        solid and non-solid regions of a level: a wall with the walls directly inside it
+ *   mg, MG         mapping group: regions of two adjacent levels whose projections overlap; all of
+ * them Phi            the empty region, partner of a region without any threshold      share of the
+ * smaller region's area that two regions must have in common
+ */
+#ifndef recon_ContourMapping_h
+#define recon_ContourMapping_h
+
+#include "../Monitor.h"
+#include "ContourSet.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace recon
+{
+struct ContourMappingOptions
+{
+  /// Two solid (or two non-solid) regions are joined where they share more than this part of the
+  /// smaller.
+  double OverlapThreshold = 0.1;
+  /// Pairs of contours (ContourId, either order) whose regions are joined whatever the overlap.
+  std::vector<std::pair<int, int>> ForcedJoins;
+  /// Pairs of contours whose regions are not joined whatever the overlap; forbidding wins over
+  /// forcing.
+  std::vector<std::pair<int, int>> ForbiddenJoins;
+  /// Slabs thicker than this many times the median spacing are not bridged; 0 = every slab is.
+  double MaximumGap = 0;
+  int Threads = 0;
+};
+
+/// A region of a level: inside Wall and outside Holes (the walls directly inside it).
+struct ContourRegion
+{
+  int Level = -1;
+  int Wall = -1;          ///< contour around it
+  std::vector<int> Holes; ///< contours directly inside it
+  bool Solid = true;      ///< thesis: SR; false: NSR
+  double Area = 0;        ///< square units, exact polygon area with holes
+};
+
+/// One decision: a row of the joins table.
+struct ContourJoin
+{
+  enum RuleType
+  {
+    ByOverlap,   ///< the overlap decided, either way
+    Forced,      ///< by ForcedJoins
+    Forbidden,   ///< by ForbiddenJoins
+    GapTooWide,  ///< by MaximumGap
+    NoPartner,   ///< mapped to Phi
+    InternalWall ///< one of the three rules of 3.3.1
+  };
+
+  int Slab = -1;
+  int LowerRegion = -1; ///< index into ContourMapping::Regions, or -1: Phi
+  int UpperRegion = -1;
+  double OverlapArea = 0; ///< square units
+  double LowerRatio = 0;  ///< OverlapArea / area of the lower region
+  double UpperRatio = 0;
+  RuleType Rule = ByOverlap;
+  bool Joined = false;
+  std::string Words; ///< one sentence that a physicist reads
+};
+
+/// mg: contours of two adjacent levels that one skin joins, after the filters of 3.3.
+struct MappingGroup
+{
+  int Slab = -1;
+  std::vector<int> LowerContours;
+  std::vector<int> UpperContours;
+};
+
+struct ContourMapping
+{
+  std::vector<ContourRegion> Regions;
+  std::vector<int>
+    RegionInside; ///< of every contour: the region directly inside it (whose Wall it is)
+  std::vector<ContourJoin> Joins;
+  std::vector<MappingGroup> Groups;
+  std::vector<std::string>
+    Report; ///< overrides that name contours which are not on adjacent levels
+};
+
+/// @throws Error where the set is not Parallel; Aborted.
+ContourMapping BuildContourMapping(
+  const ContourSet& contours, const ContourMappingOptions& options, Monitor& monitor);
+}
+
+#endif
