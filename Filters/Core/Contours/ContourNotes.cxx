@@ -72,7 +72,7 @@ std::vector<std::string> ContourNotes::Sentences(const std::optional<PlanarFrame
   }
   std::stable_sort(order.begin(), order.end(),
     [](const Note* a, const Note* b) { return a->Sources < b->Sources; });
-  std::vector<std::string> sentences;
+  std::vector<std::string> sentences = this->General;
   for (const Note* note : order)
   {
     sentences.push_back(this->Sentence(*note, frame));

@@ -37,10 +37,12 @@ public:
     this->Add(std::vector<int>{ source }, pointCount, place, what);
   }
 
-  /// The sentences in the order of the input cells; offsets are along the frame's normal.
-  std::vector<std::string> Sentences(const std::optional<PlanarFrame>& frame) const;
+  /// A whole sentence that is about no contour in particular.
+  void AddGeneral(const std::string& sentence) { this->General.push_back(sentence); }
 
-  bool Empty() const { return this->Notes.empty(); }
+  /// The sentences, general ones first, then in the order of the input cells; offsets are along the
+  /// frame's normal.
+  std::vector<std::string> Sentences(const std::optional<PlanarFrame>& frame) const;
 
 private:
   struct Note
@@ -53,6 +55,7 @@ private:
   std::string Sentence(const Note& note, const std::optional<PlanarFrame>& frame) const;
 
   const LoopSoup& Soup;
+  std::vector<std::string> General;
   std::vector<Note> Notes;
 };
 

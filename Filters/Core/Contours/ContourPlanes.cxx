@@ -5,6 +5,8 @@
 #include <limits>
 #include <numeric>
 #include <optional>
+#include <tuple>
+#include <utility>
 
 namespace recon
 {
@@ -12,6 +14,9 @@ namespace
 {
 // A ring whose width is less than this many tolerances does not tell its plane by itself.
 constexpr double TrustedWidth = 10;
+// Coordinates rounded to a few decimals make oblique contours less flat than the tolerance: where
+// the rings themselves show it, up to this many tolerances are allowed.
+constexpr double MostRoughness = 30;
 
 std::size_t Index(int i)
 {
@@ -128,6 +133,7 @@ public:
     ContourNotes& notes, Monitor& monitor)
     : Soup(soup),
       Rings(rings),
+      Gap(tolerance),
       Tolerance(tolerance),
       Notes(notes),
       Progress(monitor)
@@ -146,19 +152,20 @@ public:
         const RingPlane& q = this->Planes[Index(b)];
         return p.Trusted != q.Trusted ? p.Trusted : Norm(p.AreaVector) > Norm(q.AreaVector);
       });
+    this->AllowForRoughness();
   }
 
   PlaneGrouping Group(bool onlyParallel)
   {
     const Vector3 normal = this->CommonNormal();
     std::vector<int> others;
-    std::vector<std::pair<double, int>> flat;
+    std::vector<std::pair<Extent, int>> flat;
     for (std::size_t i = 0; i < this->Rings.size(); ++i)
     {
       const std::optional<Extent> extent = this->FlatAlong(normal, static_cast<int>(i));
       if (extent)
       {
-        flat.emplace_back(extent->Middle(), static_cast<int>(i));
+        flat.emplace_back(*extent, static_cast<int>(i));
       }
       else
       {
@@ -177,6 +184,39 @@ public:
   }
 
 private:
+  void AllowForRoughness()
+  {
+    double roughness = 0;
+    for (std::size_t i = 0; i < this->Rings.size(); ++i)
+    {
+      if (this->Planes[i].Trusted)
+      {
+        const double own = this->Roughness(static_cast<int>(i));
+        roughness = own <= MostRoughness * this->Gap ? std::max(roughness, own) : roughness;
+      }
+    }
+    if (roughness > this->Gap)
+    {
+      // The common plane of several rings fits each of them a little worse than its own.
+      this->Tolerance = std::min(2 * roughness, MostRoughness * this->Gap);
+      this->Notes.AddGeneral("Points lie up to " + ShortNumber(roughness) +
+        " off the plane of their own contour, so planes were found with a tolerance of " +
+        ShortNumber(this->Tolerance) + " instead of " + ShortNumber(this->Gap) + ".");
+    }
+  }
+
+  /// Farthest distance of the ring's points from their own plane, which has to have a normal.
+  double Roughness(int ring) const
+  {
+    const Vector3 normal = Canonical(this->Planes[Index(ring)].AreaVector);
+    Extent extent;
+    for (int p : this->Rings[Index(ring)].Points)
+    {
+      extent.Add(Dot(normal, this->Soup.Points[Index(p)]));
+    }
+    return 0.5 * extent.Size();
+  }
+
   /// Empty where the ring is thicker than the tolerance allows; stops at the first point that shows
   /// it.
   std::optional<Extent> FlatAlong(const Vector3& normal, int ring) const
@@ -263,27 +303,29 @@ private:
     return this->AllFlatAlong(mean, direction.Rings) ? mean : direction.Normal;
   }
 
-  /// Rings sorted by offset, a new level wherever the gap is more than the tolerance.
-  PlaneGrouping Levels(const Vector3& normal, std::vector<std::pair<double, int>>& flat) const
+  /// Rings sorted by offset, a new level wherever the offsets of their points leave a gap.
+  PlaneGrouping Levels(const Vector3& normal, std::vector<std::pair<Extent, int>>& flat) const
   {
-    std::sort(flat.begin(), flat.end());
+    std::sort(flat.begin(), flat.end(),
+      [](const auto& a, const auto& b)
+      { return std::tie(a.first.Low, a.second) < std::tie(b.first.Low, b.second); });
     PlaneGrouping grouping;
     grouping.Parallel = true;
     const PlanarFrame frame = MakeFrame(normal);
     for (std::size_t i = 0; i < flat.size();)
     {
-      std::size_t end = i + 1;
-      while (end < flat.size() && flat[end].first - flat[end - 1].first <= this->Tolerance)
-      {
-        ++end;
-      }
       PlaneOfRings plane;
       plane.Frame = frame;
-      plane.Offset = flat[i + (end - i) / 2].first;
-      for (; i < end; ++i)
+      Extent extent;
+      for (;
+           i < flat.size() && (plane.Rings.empty() || flat[i].first.Low - extent.High <= this->Gap);
+           ++i)
       {
         plane.Rings.push_back(flat[i].second);
+        extent.Add(flat[i].first.Low);
+        extent.Add(flat[i].first.High);
       }
+      plane.Offset = extent.Middle();
       std::sort(plane.Rings.begin(), plane.Rings.end());
       grouping.Planes.push_back(std::move(plane));
     }
@@ -402,14 +444,8 @@ private:
       this->Note(ring, "encloses no area, its points lie on a line; left out");
       return;
     }
-    Extent extent;
-    const Vector3 normal = Canonical(own.AreaVector);
-    for (int p : this->Rings[Index(ring)].Points)
-    {
-      extent.Add(Dot(normal, this->Soup.Points[Index(p)]));
-    }
     this->Note(ring,
-      "is not planar, its points lie up to " + ShortNumber(0.5 * extent.Size()) +
+      "is not planar, its points lie up to " + ShortNumber(this->Roughness(ring)) +
         " off their plane where " + ShortNumber(this->Tolerance) + " is allowed; left out");
   }
 
@@ -421,7 +457,8 @@ private:
 
   const LoopSoup& Soup;
   const std::vector<Ring>& Rings;
-  double Tolerance;
+  double Gap;       ///< as the caller gave it
+  double Tolerance; ///< the same, or more where the rings are rough
   ContourNotes& Notes;
   Monitor& Progress;
   std::vector<RingPlane> Planes;

@@ -38,7 +38,8 @@ struct PlaneGrouping
  *
  * @param onlyParallel rings of other directions are left out; otherwise each plane of theirs is a
  * group, in the order of the first ring in it
- * @param tolerance farthest distance of a point from its plane, in the input's units
+ * @param tolerance farthest distance of a point from its plane, in the input's units; up to 30
+ * times as much, with a sentence in notes, where rings are no flatter in their own planes
  */
 PlaneGrouping GroupByPlane(const LoopSoup& soup, const std::vector<Ring>& rings, bool onlyParallel,
   double tolerance, ContourNotes& notes, Monitor& monitor);

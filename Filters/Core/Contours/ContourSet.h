@@ -14,16 +14,16 @@
 namespace recon
 {
 /**
- * Contours as they arrive: any mixture of closed loops, polylines whose last point repeats the first,
- * and loose pieces that must be chained end to end.
+ * Contours as they arrive: any mixture of closed loops, polylines whose last point repeats the
+ * first, and loose pieces that must be chained end to end.
  */
 struct LoopSoup
 {
   struct Chain
   {
     std::vector<int> Points; ///< indices into LoopSoup::Points
-    bool Closed = false;     ///< an edge joins the last point to the first (which need not be repeated)
-    int Source = -1;         ///< number of the input cell, for the report
+    bool Closed = false; ///< an edge joins the last point to the first (which need not be repeated)
+    int Source = -1;     ///< number of the input cell, for the report
   };
   std::vector<Point3> Points;
   std::vector<Chain> Chains;
@@ -42,7 +42,7 @@ struct Contour
   int Depth = 0;         ///< level in the tree of nesting; even = outer wall
   int Parent = -1;       ///< the contour around this one, or -1
   double SignedArea = 0; ///< square units
-  int Source = -1;       ///< number of the input cell the contour came from (the first, where merged)
+  int Source = -1; ///< number of the input cell the contour came from (the first, where merged)
 };
 
 /// All contours of one plane.
@@ -56,15 +56,16 @@ struct Level
 /**
  * Contours that are simple, do not cross or overlap one another, and are grouped into levels.
  *
- * Guaranteed: every contour has at least three points and a non-zero area; two contours of a level meet in
- * single vertices at most, which they then share by index; no two points of a level have equal planar
- * coordinates; Contours are sorted by level; where the set is Parallel, all levels have one frame
- * and increasing offsets.
+ * Guaranteed: every contour has at least three points and a non-zero area; two contours of a level
+ * meet in single vertices at most, which they then share by index; no two points of a level have
+ * equal planar coordinates; Contours are sorted by level; where the set is Parallel, all levels
+ * have one frame and increasing offsets.
  */
 struct ContourSet
 {
   bool Parallel = false;
-  std::vector<Point3> Points; ///< exactly as given, to the last bit, but for crossings that had to be computed
+  std::vector<Point3>
+    Points; ///< exactly as given, to the last bit, but for crossings that had to be computed
   std::vector<Point2> Planar; ///< the same in the frame of their level
   std::vector<Contour> Contours;
   std::vector<Level> Levels;

@@ -13,10 +13,13 @@ namespace recon
 {
 struct ContourSetOptions
 {
-  /// true: one common normal is wanted (PSM); contours of other planes are left out with a line in Report.
-  /// false: planes of any orientation (ISM); each plane becomes a level with a frame of its own.
+  /// true: one common normal is wanted (PSM); contours of other planes are left out with a line in
+  /// Report. false: planes of any orientation (ISM); each plane becomes a level with a frame of its
+  /// own.
   bool Parallel = true;
-  /// Points closer than this fraction of the bounding box's diagonal count as one plane's.
+  /// Points closer than this fraction of the bounding box's diagonal count as one plane's. Where
+  /// the contours themselves are less flat, up to 30 times as much is allowed, with a line in
+  /// Report.
   double PlaneTolerance = 1e-5;
 };
 
@@ -25,7 +28,8 @@ struct ContourSetOptions
  *
  * @throws Error where not one usable contour is left; the sentence says why.
  */
-ContourSet BuildContourSet(const LoopSoup& soup, const ContourSetOptions& options, Monitor& monitor);
+ContourSet BuildContourSet(
+  const LoopSoup& soup, const ContourSetOptions& options, Monitor& monitor);
 }
 
 #endif

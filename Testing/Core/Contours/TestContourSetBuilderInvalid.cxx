@@ -101,7 +101,8 @@ TEST(ContourSetBuilderInvalid, Open)
 TEST(ContourSetBuilderInvalid, NoArea)
 {
   ExpectOnlyTheSquare(GoodSquare().Loop({ { 5, 5 }, { 6, 6 }, { 8, 8 } }, 3),
-    "Contour of cell 1 (3 points, at offset 3): encloses no area (1 point on an edge, 2 edges walked "
+    "Contour of cell 1 (3 points, at offset 3): encloses no area (1 point on an edge, 2 edges "
+    "walked "
     "more than once); left out.");
   ExpectOnlyTheSquare(GoodSquare().Loop({ { 5, 5 }, { 6, 6 }, { 8, 7 }, { 6, 6 } }, 3),
     "Contour of cell 1 (4 points, at offset 3): encloses no area (2 edges walked more than once, 1 "
