@@ -8,6 +8,8 @@
 #include "TriangleTree.h"
 
 #include <algorithm>
+#include <map>
+#include <utility>
 
 namespace recon
 {
@@ -19,7 +21,8 @@ constexpr int LeavesAPiece = 256;
 /// What one piece of work found; pieces are put together in order.
 struct Piece
 {
-  std::int64_t Count[3] = { 0, 0, 0 };
+  PairCounts Counts;
+  std::map<int, PairCounts> CountsOfComponent;
   std::vector<IntersectingPair> Pairs;
   std::vector<std::pair<int, int>> Marks; ///< triangle and defect
 };
@@ -38,7 +41,8 @@ int DefectOf(IntersectingPair::KindType kind)
   return DefectTouching;
 }
 
-void Examine(const TriangleMesh& mesh, int s, int t, std::int64_t limit, Piece& piece)
+void Examine(
+  const TriangleMesh& mesh, int s, int t, const SelfIntersectionOptions& options, Piece& piece)
 {
   const PairRelation relation = RelateTriangles(mesh, s, t);
   if (relation == PairRelation::Clean)
@@ -48,8 +52,18 @@ void Examine(const TriangleMesh& mesh, int s, int t, std::int64_t limit, Piece& 
   const auto kind = relation == PairRelation::Crossing ? IntersectingPair::Crossing
     : relation == PairRelation::Overlapping            ? IntersectingPair::Overlapping
                                                        : IntersectingPair::Touching;
-  ++piece.Count[kind];
-  if (static_cast<std::int64_t>(piece.Pairs.size()) < limit)
+  piece.Counts.Add(kind);
+  if (options.ComponentOfTriangle)
+  {
+    const int first = (*options.ComponentOfTriangle)[s];
+    const int second = (*options.ComponentOfTriangle)[t];
+    piece.CountsOfComponent[first].Add(kind);
+    if (second != first)
+    {
+      piece.CountsOfComponent[second].Add(kind);
+    }
+  }
+  if (static_cast<std::int64_t>(piece.Pairs.size()) < options.MaximumPairsAPiece)
   {
     piece.Pairs.push_back({ std::min(s, t), std::max(s, t), kind });
   }
@@ -70,10 +84,19 @@ SelfIntersections Gather(const std::vector<Piece>& pieces, std::size_t triangles
   result.DefectOfTriangle.assign(triangles, 0);
   for (const auto& piece : pieces)
   {
-    result.Touching += piece.Count[IntersectingPair::Touching];
-    result.Overlapping += piece.Count[IntersectingPair::Overlapping];
-    result.Crossing += piece.Count[IntersectingPair::Crossing];
+    result.Add(piece.Counts);
     result.Pairs.insert(result.Pairs.end(), piece.Pairs.begin(), piece.Pairs.end());
+    for (const auto& [component, counts] : piece.CountsOfComponent)
+    {
+      if (component >= static_cast<int>(result.CountsOfComponent.size()))
+      {
+        result.CountsOfComponent.resize(component + 1);
+      }
+      if (component >= 0)
+      {
+        result.CountsOfComponent[component].Add(counts);
+      }
+    }
     for (const auto& [triangle, defect] : piece.Marks)
     {
       result.DefectOfTriangle[triangle] |= defect;
@@ -102,8 +125,7 @@ SelfIntersections FindSelfIntersections(
     const int end = std::min(tree.GetNumberOfLeaves(), (p + 1) * LeavesAPiece);
     for (int leaf = p * LeavesAPiece; leaf < end; ++leaf)
     {
-      tree.VisitPairsOfLeaf(
-        leaf, [&](int s, int t) { Examine(mesh, s, t, options.MaximumPairsAPiece, pieces[p]); });
+      tree.VisitPairsOfLeaf(leaf, [&](int s, int t) { Examine(mesh, s, t, options, pieces[p]); });
       Shrink(pieces[p].Marks);
     }
   };

@@ -9,6 +9,7 @@
 #include "../Monitor.h"
 #include "TriangleMesh.h"
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -28,14 +29,35 @@ struct IntersectingPair
   KindType Kind;
 };
 
-struct SelfIntersections
+/// Numbers of pairs of each kind.
+struct PairCounts
 {
   std::int64_t Crossing = 0;
   std::int64_t Overlapping = 0;
   std::int64_t Touching = 0;
-  std::vector<IntersectingPair> Pairs; ///< sorted; at most MaximumPairs of them are kept
+
+  void Add(IntersectingPair::KindType kind)
+  {
+    (kind == IntersectingPair::Crossing      ? this->Crossing
+        : kind == IntersectingPair::Touching ? this->Touching
+                                             : this->Overlapping)++;
+  }
+  void Add(const PairCounts& other)
+  {
+    this->Crossing += other.Crossing;
+    this->Overlapping += other.Overlapping;
+    this->Touching += other.Touching;
+  }
+};
+
+struct SelfIntersections : PairCounts
+{
+  std::vector<IntersectingPair> Pairs; ///< sorted; more than the options allow are only counted
   std::vector<int> DefectOfTriangle;   ///< DefectCrossing, DefectOverlapping, DefectTouching
   bool Complete = true;                ///< whether Pairs holds all that were counted
+  /// A component: pairs of which at least one triangle is of it. Empty where no components were
+  /// given.
+  std::vector<PairCounts> CountsOfComponent;
 
   /// The surface runs through itself or lies on itself.
   bool Any() const { return this->Crossing + this->Overlapping > 0; }
@@ -47,6 +69,8 @@ struct SelfIntersectionOptions
   /// Pairs to keep of each of the pieces in which the mesh is searched; the counts are always of
   /// all.
   std::int64_t MaximumPairsAPiece = 100000;
+  /// What MeshTopology::ComponentOfTriangle holds, where counts by component are wanted.
+  const std::vector<int>* ComponentOfTriangle = nullptr;
 };
 
 /**

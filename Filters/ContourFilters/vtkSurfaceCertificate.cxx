@@ -1,0 +1,430 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkSurfaceCertificate.h"
+
+#include "ContourConversion.h"
+#include "Contours/ContourSetBuilder.h"
+#include "Mesh/Certificate.h"
+#include "SurfaceBlocks.h"
+#include "vtkContourMonitor.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataObjectTree.h"
+#include "vtkDataObjectTreeIterator.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkStringArray.h"
+#include "vtkTable.h"
+#include "vtkTriangleFilter.h"
+
+#include <algorithm>
+#include <cfloat>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+vtkStandardNewMacro(vtkSurfaceCertificate);
+
+namespace
+{
+/// One surface of the input and what was found out about it.
+struct Block
+{
+  std::string Name;
+  vtkSmartPointer<vtkPolyData> Surface; ///< triangles, and after WriteOn with its certificate
+  recon::SurfaceCertificate Certificate;
+  std::vector<std::string> ContourReport;
+};
+
+bool HasTrianglesOnly(vtkPolyData* surface)
+{
+  const bool polygonsOnly = surface->GetNumberOfVerts() == 0 && surface->GetNumberOfLines() == 0 &&
+    surface->GetNumberOfStrips() == 0;
+  return polygonsOnly &&
+    (surface->GetNumberOfPolys() == 0 || surface->GetPolys()->IsHomogeneous() == 3);
+}
+
+vtkSmartPointer<vtkPolyData> Triangulate(vtkPolyData* surface)
+{
+  auto result = vtkSmartPointer<vtkPolyData>::New();
+  if (HasTrianglesOnly(surface))
+  {
+    result->ShallowCopy(surface);
+    return result;
+  }
+  vtkNew<vtkPolyData> copy; // so that the input's pipeline stays out of it
+  copy->ShallowCopy(surface);
+  vtkNew<vtkTriangleFilter> triangulate;
+  triangulate->SetInputData(copy);
+  triangulate->PassVertsOff();
+  triangulate->PassLinesOff();
+  triangulate->Update();
+  result->ShallowCopy(triangulate->GetOutput());
+  result->GetFieldData()->ShallowCopy(surface->GetFieldData());
+  return result;
+}
+
+/// What a coordinate may be off its plane by, because it was stored in single precision.
+double RoundingOf(vtkPolyData* surface)
+{
+  if (surface->GetNumberOfPoints() == 0 || surface->GetPoints()->GetDataType() != VTK_FLOAT)
+  {
+    return 0;
+  }
+  const double* bounds = surface->GetBounds();
+  const auto largest = std::max_element(
+    bounds, bounds + 6, [](double a, double b) { return std::fabs(a) < std::fabs(b); });
+  return FLT_EPSILON * std::fabs(*largest);
+}
+
+std::optional<recon::ContourSet> BuildContours(
+  vtkPolyData* contours, std::vector<std::string>& report, recon::Monitor& monitor)
+{
+  if (!contours || contours->GetNumberOfCells() == 0)
+  {
+    return std::nullopt;
+  }
+  const recon::ConvertedLoops loops = recon::ToLoopSoup(contours);
+  recon::ContourSetOptions options;
+  options.Parallel = false;
+  recon::ContourSet set = recon::BuildContourSet(loops.Soup, options, monitor);
+  report = loops.Report;
+  report.insert(report.end(), set.Report.begin(), set.Report.end());
+  return set;
+}
+
+/// Replaces an array of that name.
+void AddFieldArray(vtkPolyData* surface, const std::string& name, vtkAbstractArray* array)
+{
+  array->SetName(name.c_str());
+  surface->GetFieldData()->RemoveArray(name.c_str());
+  surface->GetFieldData()->AddArray(array);
+}
+
+/// A figure without meaning: NaN, or -1 for a count.
+double ValueOf(const recon::CertificateFigure& figure)
+{
+  const bool isReal = figure.Kind == recon::CertificateFigure::Real;
+  return figure.Value.value_or(isReal ? std::numeric_limits<double>::quiet_NaN() : -1);
+}
+
+vtkSmartPointer<vtkDataArray> MakeArrayFor(const recon::CertificateFigure& figure)
+{
+  switch (figure.Kind)
+  {
+    case recon::CertificateFigure::Flag:
+      return vtkSmartPointer<vtkIntArray>::New();
+    case recon::CertificateFigure::Count:
+      return vtkSmartPointer<vtkIdTypeArray>::New();
+    case recon::CertificateFigure::Real:
+      break;
+  }
+  return vtkSmartPointer<vtkDoubleArray>::New();
+}
+
+void AddFigures(vtkPolyData* surface, const std::vector<recon::CertificateFigure>& figures)
+{
+  for (const auto& figure : figures)
+  {
+    const auto array = MakeArrayFor(figure);
+    array->InsertNextTuple1(ValueOf(figure));
+    AddFieldArray(surface, figure.Name, array);
+  }
+}
+
+template <typename Getter>
+void AddSectionArray(const Block& block, const char* name, const Getter& get)
+{
+  vtkNew<vtkDoubleArray> array;
+  for (const auto& section : block.Certificate.Sections)
+  {
+    const std::optional<double> value = get(section);
+    array->InsertNextValue(value.value_or(std::numeric_limits<double>::quiet_NaN()));
+  }
+  AddFieldArray(block.Surface, name, array);
+}
+
+void AddSections(const Block& block)
+{
+  using recon::SectionDifference;
+  AddSectionArray(block, "SectionOffset",
+    [](const SectionDifference& s) { return std::optional<double>(s.Offset); });
+  AddSectionArray(block, "SectionContourArea",
+    [](const SectionDifference& s) { return std::optional<double>(s.ContourArea); });
+  AddSectionArray(
+    block, "SectionSurfaceArea", [](const SectionDifference& s) { return s.SurfaceArea; });
+  AddSectionArray(
+    block, "SectionDifference", [](const SectionDifference& s) { return s.SymmetricDifference; });
+  AddSectionArray(block, "SectionPercent", [](const SectionDifference& s) { return s.Percent; });
+}
+
+void AddCellArray(vtkPolyData* surface, const char* name, const std::vector<int>& values)
+{
+  vtkNew<vtkIntArray> array;
+  array->SetName(name);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
+  std::copy(values.begin(), values.end(), array->GetPointer(0));
+  surface->GetCellData()->RemoveArray(name);
+  surface->GetCellData()->AddArray(array);
+}
+
+void AddLines(vtkPolyData* surface, const char* name, const std::vector<std::string>& lines)
+{
+  vtkNew<vtkStringArray> array;
+  for (const auto& line : lines)
+  {
+    array->InsertNextValue(line);
+  }
+  AddFieldArray(surface, name, array);
+}
+
+void WriteOn(const Block& block)
+{
+  const recon::SurfaceCertificate& certificate = block.Certificate;
+  AddCellArray(block.Surface, "Defect", certificate.DefectOfTriangle);
+  AddCellArray(block.Surface, "ComponentId", certificate.ComponentOfTriangle);
+  AddFigures(block.Surface, recon::ListFigures(certificate.Total));
+  if (!certificate.Sections.empty())
+  {
+    AddFigures(block.Surface, recon::ListContourFigures(certificate));
+    AddSections(block);
+  }
+  auto lines = recon::ToShortText(certificate);
+  lines.insert(lines.end(), block.ContourReport.begin(), block.ContourReport.end());
+  AddLines(block.Surface, "Certificate", lines);
+  AddLines(block.Surface, "CertificateJSON", { recon::ToJson(certificate) });
+}
+
+Block CertifyBlock(const recon::NamedPolyData& input, vtkPolyData* contours,
+  recon::CertificateOptions options, recon::Monitor& monitor)
+{
+  Block block;
+  block.Name = input.Name;
+  block.Surface = Triangulate(input.Data);
+  recon::TriangleMesh mesh;
+  if (block.Surface->GetNumberOfPolys() > 0)
+  {
+    mesh = recon::ToTriangleMesh(block.Surface);
+  }
+  recon::Monitor quiet; // reading the contours takes no time worth a progress bar
+  const auto set = BuildContours(contours, block.ContourReport, quiet);
+  options.CoordinateRounding = RoundingOf(input.Data);
+  block.Certificate = recon::Certify(mesh, set ? &*set : nullptr, options, monitor);
+  WriteOn(block);
+  return block;
+}
+
+/// Rows are appended; columns are made by the first of them.
+class TableWriter
+{
+public:
+  TableWriter(vtkTable* table, bool withBlocks, bool withContours)
+    : Table(table),
+      WithBlocks(withBlocks),
+      WithContours(withContours)
+  {
+  }
+
+  void Add(const Block& block, int number)
+  {
+    const recon::SurfaceCertificate none;
+    const std::string name = block.Name.empty() ? std::to_string(number) : block.Name;
+    for (std::size_t c = 0; c < block.Certificate.Components.size(); ++c)
+    {
+      this->AddRow(name, std::to_string(c), block.Certificate.Components[c], none);
+    }
+    this->AddRow(name, "Total", block.Certificate.Total, block.Certificate);
+  }
+
+private:
+  void AddRow(const std::string& block, const std::string& component,
+    const recon::ComponentCertificate& certificate, const recon::SurfaceCertificate& contours)
+  {
+    if (this->WithBlocks)
+    {
+      this->AddText("Block", block);
+    }
+    this->AddText("Component", component);
+    this->AddNumbers(recon::ListFigures(certificate));
+    if (this->WithContours)
+    {
+      this->AddNumbers(recon::ListContourFigures(contours));
+    }
+  }
+
+  void AddText(const char* column, const std::string& text)
+  {
+    auto* array = vtkStringArray::SafeDownCast(this->Table->GetColumnByName(column));
+    if (!array)
+    {
+      vtkNew<vtkStringArray> added;
+      added->SetName(column);
+      this->Table->AddColumn(added);
+      array = added;
+    }
+    array->InsertNextValue(text);
+  }
+
+  void AddNumbers(const std::vector<recon::CertificateFigure>& figures)
+  {
+    for (const auto& figure : figures)
+    {
+      vtkDataArray* array =
+        vtkDataArray::SafeDownCast(this->Table->GetColumnByName(figure.Name.c_str()));
+      if (!array)
+      {
+        const auto added = MakeArrayFor(figure);
+        added->SetName(figure.Name.c_str());
+        this->Table->AddColumn(added);
+        array = added;
+      }
+      array->InsertNextTuple1(ValueOf(figure));
+    }
+  }
+
+  vtkTable* Table;
+  bool WithBlocks;
+  bool WithContours;
+};
+
+/// Put the certified surfaces where their originals are, in the order of ListPolyData.
+void FillOutput(vtkDataObject* input, const std::vector<Block>& blocks, vtkDataObject* output)
+{
+  if (auto* polyData = vtkPolyData::SafeDownCast(output))
+  {
+    polyData->ShallowCopy(blocks.front().Surface);
+    return;
+  }
+  auto* from = vtkDataObjectTree::SafeDownCast(input);
+  auto* to = vtkDataObjectTree::SafeDownCast(output);
+  to->CopyStructure(from);
+  to->GetFieldData()->ShallowCopy(from->GetFieldData());
+  const auto leaf = vtk::TakeSmartPointer(from->NewTreeIterator());
+  std::size_t next = 0;
+  for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
+  {
+    if (vtkPolyData::SafeDownCast(leaf->GetCurrentDataObject()))
+    {
+      to->SetDataSetFrom(leaf, blocks[next++].Surface);
+    }
+  }
+}
+}
+
+vtkSurfaceCertificate::vtkSurfaceCertificate()
+{
+  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfOutputPorts(2);
+}
+
+void vtkSurfaceCertificate::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Weld: " << (this->Weld ? "On" : "Off") << endl;
+  os << indent << "Threads: " << this->Threads << endl;
+}
+
+void vtkSurfaceCertificate::SetContoursConnection(vtkAlgorithmOutput* contours)
+{
+  this->SetInputConnection(1, contours);
+}
+
+int vtkSurfaceCertificate::FillInputPortInformation(int port, vtkInformation* info)
+{
+  // Composites are taken whole, not block by block, so that surfaces and contours can be matched by
+  // name.
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObjectTree");
+  if (port == 1)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  return 1;
+}
+
+int vtkSurfaceCertificate::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkDataObject" : "vtkTable");
+  return 1;
+}
+
+int vtkSurfaceCertificate::RequestDataObject(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
+  if (!input)
+  {
+    return 0;
+  }
+  vtkInformation* surfaceInfo = outputVector->GetInformationObject(0);
+  vtkDataObject* output = vtkDataObject::GetData(surfaceInfo);
+  if (!output || !output->IsA(input->GetClassName()))
+  {
+    const auto made = vtk::TakeSmartPointer(input->NewInstance());
+    surfaceInfo->Set(vtkDataObject::DATA_OBJECT(), made);
+  }
+  vtkInformation* tableInfo = outputVector->GetInformationObject(1);
+  if (!vtkTable::GetData(tableInfo))
+  {
+    vtkNew<vtkTable> table;
+    tableInfo->Set(vtkDataObject::DATA_OBJECT(), table);
+  }
+  return 1;
+}
+
+int vtkSurfaceCertificate::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
+  vtkDataObject* contours = vtkDataObject::GetData(inputVector[1]);
+  vtkDataObject* output = vtkDataObject::GetData(outputVector, 0);
+  vtkTable* table = vtkTable::GetData(outputVector, 1);
+  if (!input || !output || !table)
+  {
+    vtkErrorMacro("Surface Certificate needs a surface as poly data: connect one.");
+    return 0;
+  }
+  table->Initialize();
+  try
+  {
+    const auto surfaces = recon::ListPolyData(input);
+    const auto matched = recon::MatchContours(surfaces, contours);
+    recon::CertificateOptions options;
+    options.Weld = this->Weld;
+    options.Threads = this->Threads;
+    TableWriter writer(table, !vtkPolyData::SafeDownCast(input), contours != nullptr);
+    std::vector<Block> blocks;
+    for (std::size_t s = 0; s < surfaces.size(); ++s)
+    {
+      const double count = static_cast<double>(surfaces.size());
+      vtkContourMonitor monitor(this, s / count, (s + 1) / count);
+      blocks.push_back(CertifyBlock(surfaces[s], matched[s], options, monitor));
+      writer.Add(blocks.back(), static_cast<int>(s));
+    }
+    FillOutput(input, blocks, output);
+    return 1;
+  }
+  catch (const recon::Aborted&)
+  {
+    output->Initialize();
+    table->Initialize();
+    return 1;
+  }
+  catch (const std::exception& error)
+  {
+    output->Initialize();
+    table->Initialize();
+    vtkErrorMacro(<< error.what());
+    return 0;
+  }
+}

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @file Certificate.h
+ * @brief What a user may trust about a surface: all figures of it, a component and in total.
+ *
+ * For the meaning and the formula of each see MeshTopology.h, SelfIntersections.h, MassProperties.h
+ * and SectionComparison.h; for the names under which they are written out, ListFigures.
+ */
+#ifndef recon_Certificate_h
+#define recon_Certificate_h
+
+#include "../Contours/ContourSet.h"
+#include "../Monitor.h"
+#include "MassProperties.h"
+#include "MeshTopology.h"
+#include "SectionComparison.h"
+#include "SelfIntersections.h"
+#include "TriangleMesh.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace recon
+{
+/// The figures of one component, or of the whole surface.
+struct ComponentCertificate
+{
+  TopologyFigures Topology;
+  PairCounts Pairs; ///< of triangles; for a component those with at least one triangle of it
+  MassFigures Mass;
+  int Nesting = 0; ///< number of closed components around it; for the whole the deepest of them
+
+  /// Closed, manifold, oriented outward, and no two triangles cross or overlap.
+  bool IsSound() const
+  {
+    return this->Topology.Closed && this->Topology.Manifold() && this->Topology.Oriented &&
+      this->Topology.Outward && this->Pairs.Crossing + this->Pairs.Overlapping == 0;
+  }
+};
+
+struct SurfaceCertificate
+{
+  std::vector<ComponentCertificate> Components; ///< in the order of their first triangle
+  ComponentCertificate Total;
+  /**
+   * The whole with points of equal coordinates taken for one, as a format without connectivity
+   * (STL) would hand it on. A surface that was cut apart into a manifold has overused edges and
+   * pinched vertices here.
+   */
+  TopologyFigures Welded;
+
+  std::vector<SectionDifference> Sections; ///< a level; empty without contours
+  std::optional<ContourDistance> Distance; ///< empty without contours or without a surface
+  /// The largest difference of a level in percent; empty without contours, or where the surface is
+  /// open at a level.
+  std::optional<double> WorstSectionPercent() const;
+  /// That of all levels together, in percent of all contours' area.
+  std::optional<double> TotalSectionPercent() const;
+
+  std::vector<int> DefectOfTriangle;    ///< TriangleDefect bits
+  std::vector<int> ComponentOfTriangle; ///< -1 for a collapsed triangle that no other touches
+  std::vector<IntersectingPair> Pairs;  ///< see SelfIntersections::Pairs
+};
+
+struct CertificateOptions
+{
+  /// Judge the surface with points of equal coordinates taken for one, not by its own connectivity.
+  bool Weld = false;
+  int Threads = 0; ///< 0 = as many as the machine has; the result does not depend on it
+  double CoordinateRounding = 0; ///< see SectionOptions
+};
+
+/**
+ * @param contours what the surface was made from, or nullptr
+ * @throws Error where an index is out of range or a coordinate is not finite; Aborted.
+ */
+SurfaceCertificate Certify(const TriangleMesh& mesh, const ContourSet* contours,
+  const CertificateOptions& options, Monitor& monitor);
+
+/// One figure under the name by which tables, field data and JSON know it.
+struct CertificateFigure
+{
+  enum KindType
+  {
+    Flag,  ///< 0 or 1
+    Count, ///< a whole number
+    Real   ///< in units of the input, squared for areas, cubed for volumes; angles in degrees
+  };
+  std::string Name;
+  KindType Kind;
+  std::optional<double> Value; ///< empty where the figure has no meaning
+};
+
+/// All figures of a component or of the whole, always the same names in the same order.
+std::vector<CertificateFigure> ListFigures(const ComponentCertificate& certificate);
+
+/// The figures that only a surface with contours has; of one without, all are empty.
+std::vector<CertificateFigure> ListContourFigures(const SurfaceCertificate& certificate);
+
+/**
+ * Everything but what is said a triangle, as one JSON object.
+ *
+ * { "Total": {figures}, "Components": [{figures}], "Welded": {topology}, "Contours": {figures},
+ * "Sections": [a level] }; a figure that has no meaning is null. Numbers read back to the same
+ * bits.
+ */
+std::string ToJson(const SurfaceCertificate& certificate);
+
+/// A few lines for people: the verdict, what was found wrong, size and shape, and how the contours
+/// fare.
+std::vector<std::string> ToShortText(const SurfaceCertificate& certificate);
+}
+
+#endif
