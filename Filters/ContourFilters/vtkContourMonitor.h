@@ -4,9 +4,9 @@
  * @brief Lets the core report to, and be stopped through, a vtkAlgorithm.
  *
  * Lives on the stack of RequestData for one call of the core, whose progress it maps to [from, to]
- * of the algorithm's own. The core calls its monitor from the thread it was called from, which is the thread
- * of RequestData, as VTK requires. Progress events reach the user interface at most every 50 ms; the
- * abort flag is looked at on every call.
+ * of the algorithm's own. The core calls its monitor from the thread it was called from, which is
+ * the thread of RequestData, as VTK requires. Progress events reach the user interface at most
+ * every 50 ms; the abort flag is looked at on every call.
  */
 #ifndef vtkContourMonitor_h
 #define vtkContourMonitor_h
@@ -22,9 +22,9 @@ class vtkContourMonitor : public recon::Monitor
 {
 public:
   explicit vtkContourMonitor(vtkAlgorithm* algorithm, double from = 0.0, double to = 1.0)
-    : Algorithm(algorithm)
-    , From(from)
-    , To(to)
+    : Algorithm(algorithm),
+      From(from),
+      To(to)
   {
   }
   ~vtkContourMonitor() override { this->Algorithm->SetProgressText(nullptr); }
