@@ -7,9 +7,7 @@
 #define ContourOutput_h
 
 #include "Contours/ContourSet.h"
-#include "Monitor.h"
 
-#include "vtkAlgorithm.h"
 #include "vtkCellArray.h"
 #include "vtkFieldData.h"
 #include "vtkNew.h"
@@ -22,24 +20,6 @@
 
 namespace recon
 {
-/// Progress and abort of a VTK algorithm, for the core.
-class AlgorithmMonitor : public Monitor
-{
-public:
-  explicit AlgorithmMonitor(vtkAlgorithm* algorithm) : Algorithm(algorithm) {}
-  bool AbortRequested() override { return this->Algorithm->CheckAbort(); }
-
-protected:
-  void OnProgress(double fraction, const char* stage) override
-  {
-    this->Algorithm->SetProgressText(stage);
-    this->Algorithm->UpdateProgress(fraction);
-  }
-
-private:
-  vtkAlgorithm* Algorithm;
-};
-
 /**
  * Closed chains become polylines whose last point is the first, open ones polylines, single
  * points vertices.

@@ -3,6 +3,7 @@
 
 #include "ContourOutput.h"
 #include "StructureSetFile.h"
+#include "vtkContourMonitor.h"
 
 #include "vtkCellData.h"
 #include "vtkCompositeDataSet.h"
@@ -22,30 +23,6 @@ vtkStandardNewMacro(vtkRTStructureSetReader);
 
 namespace
 {
-/// Maps the progress of one ROI into its share of the whole.
-class ShareMonitor : public recon::Monitor
-{
-public:
-  explicit ShareMonitor(recon::Monitor& whole) : Whole(whole) {}
-  void SetShare(double begin, double end)
-  {
-    this->Begin = begin;
-    this->End = end;
-  }
-  bool AbortRequested() override { return this->Whole.AbortRequested(); }
-
-protected:
-  void OnProgress(double fraction, const char* stage) override
-  {
-    this->Whole.Update(this->Begin + fraction * (this->End - this->Begin), stage);
-  }
-
-private:
-  recon::Monitor& Whole;
-  double Begin = 0;
-  double End = 1;
-};
-
 void AddString(const char* name, const std::string& value, vtkFieldData* fieldData)
 {
   vtkNew<vtkStringArray> array;
@@ -162,18 +139,12 @@ void vtkRTStructureSetReader::UpdateSelection(const std::vector<std::string>& na
 }
 
 int vtkRTStructureSetReader::RequestInformation(
-  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+  vtkInformation*, vtkInformationVector**, vtkInformationVector*)
 {
-  // The pipeline stops here where this fails; what an earlier file left must not pose as this one's.
-  if (auto* output = vtkPartitionedDataSetCollection::GetData(outputVector))
+  // What is wrong with the file RequestData meets as well, and says once.
+  if (!this->FileName)
   {
-    output->Initialize();
-  }
-  if (!this->FileName || !*this->FileName)
-  {
-    vtkErrorMacro("No file name is set: set FileName to a DICOM RT structure set (.dcm).");
-    this->SetErrorCode(vtkErrorCode::NoFileNameError);
-    return 0;
+    return 1;
   }
   try
   {
@@ -184,21 +155,24 @@ int vtkRTStructureSetReader::RequestInformation(
       names.push_back(roi.Name);
     }
     this->UpdateSelection(names);
-    this->SetErrorCode(vtkErrorCode::NoError);
-    return 1;
   }
-  catch (const std::exception& error)
+  catch (const std::exception&)
   {
-    vtkErrorMacro(<< error.what());
-    this->SetErrorCode(vtkErrorCode::FileFormatError);
-    return 0;
+    this->ROISelection->RemoveAllArrays();
   }
+  return 1;
 }
 
 int vtkRTStructureSetReader::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   auto* output = vtkPartitionedDataSetCollection::GetData(outputVector);
+  if (!this->FileName || !*this->FileName)
+  {
+    vtkErrorMacro("No file name is set: set FileName to a DICOM RT structure set (.dcm).");
+    this->SetErrorCode(vtkErrorCode::NoFileNameError);
+    return 0;
+  }
   try
   {
     recon::StructureSetFile file(this->FileName);
@@ -208,8 +182,6 @@ int vtkRTStructureSetReader::RequestData(
     {
       report.push_back("The selected ROI \"" + name + "\" is not in the file.");
     }
-    recon::AlgorithmMonitor whole(this);
-    ShareMonitor monitor(whole);
     unsigned int block = 0;
     for (std::size_t i = 0; i < rois.size(); ++i)
     {
@@ -218,7 +190,8 @@ int vtkRTStructureSetReader::RequestData(
         continue;
       }
       const auto count = static_cast<double>(rois.size());
-      monitor.SetShare(static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
+      vtkContourMonitor monitor(
+        this, static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
       const recon::StructureSetContours contours = file.ReadContours(static_cast<int>(i), monitor);
       vtkNew<vtkPolyData> contourData;
       FillBlock(contours, contourData);

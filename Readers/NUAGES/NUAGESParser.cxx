@@ -37,12 +37,7 @@ public:
       this->ReadSection();
       this->Progress.Update(this->Scanner.GetFraction(), "reading sections");
     }
-    if (!this->Scanner.AtEnd())
-    {
-      const std::string expected =
-        "the end of the file after " + std::to_string(sections) + " sections";
-      this->Scanner.FailExpected(expected.c_str(), this->Scanner.Next("the end of the file"));
-    }
+    this->Scanner.ExpectEnd("after " + std::to_string(sections) + " sections");
     return std::move(this->Result);
   }
 

@@ -3,6 +3,7 @@
 
 #include "ContourOutput.h"
 #include "NUAGESParser.h"
+#include "vtkContourMonitor.h"
 
 #include "vtkErrorCode.h"
 #include "vtkInformation.h"
@@ -44,7 +45,7 @@ int vtkNUAGESReader::RequestData(
   }
   try
   {
-    recon::AlgorithmMonitor monitor(this);
+    vtkContourMonitor monitor(this);
     const recon::ContourFile file = recon::ReadNUAGES(this->FileName, monitor);
     recon::FillPolyData(file.Soup, output);
     recon::AddReport(file.Report, output->GetFieldData());

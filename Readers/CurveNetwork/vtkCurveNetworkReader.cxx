@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkCurveNetworkReader.h"
+
+#include "ContourOutput.h"
+#include "CurveNetworkParser.h"
+#include "vtkContourMonitor.h"
+
+#include "vtkCellData.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkErrorCode.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkIntArray.h"
+#include "vtkObjectFactory.h"
+#include "vtkPartitionedDataSet.h"
+#include "vtkPartitionedDataSetCollection.h"
+
+#include <string>
+#include <utility>
+
+vtkStandardNewMacro(vtkCurveNetworkReader);
+
+/// The type of the output depends on the file, so that it is read before there is an output.
+class vtkCurveNetworkReader::Internals
+{
+public:
+  /// Sets Network, or ErrorCode and Sentence.
+  void Read(vtkCurveNetworkReader* self)
+  {
+    this->Network.reset();
+    this->ErrorCode = vtkErrorCode::NoError;
+    const std::string fileName = self->FileName ? self->FileName : "";
+    if (fileName.empty())
+    {
+      this->ErrorCode = vtkErrorCode::NoFileNameError;
+      this->Sentence = "No file name is set: set FileName to a cross-section set (.csl) or a curve "
+                       "network (.contour).";
+      return;
+    }
+    try
+    {
+      vtkContourMonitor monitor(self);
+      auto network =
+        std::make_unique<recon::CurveNetwork>(recon::ReadCurveNetwork(fileName, monitor));
+      if (network->Materials.empty())
+      {
+        throw recon::Error("Cannot read " + fileName + ": it has no contours.");
+      }
+      this->Network = std::move(network);
+    }
+    catch (const recon::Aborted&)
+    {
+      this->ErrorCode = vtkErrorCode::UserError;
+    }
+    catch (const std::exception& error)
+    {
+      this->ErrorCode = vtkErrorCode::FileFormatError;
+      this->Sentence = error.what();
+    }
+  }
+
+  std::unique_ptr<recon::CurveNetwork> Network;
+  unsigned long ErrorCode = vtkErrorCode::NoError;
+  std::string Sentence;
+};
+
+namespace
+{
+void FillMaterial(const recon::MaterialContours& material, vtkPolyData* output)
+{
+  const std::vector<int> chains = recon::FillPolyData(material.Soup, output);
+  vtkNew<vtkIntArray> planes;
+  planes->SetName("Plane");
+  for (const int chain : chains)
+  {
+    planes->InsertNextValue(material.Planes[static_cast<std::size_t>(chain)]);
+  }
+  output->GetCellData()->AddArray(planes);
+  vtkNew<vtkIntArray> label;
+  label->SetName("Material");
+  label->InsertNextValue(material.Label);
+  output->GetFieldData()->AddArray(label);
+}
+
+void FillMaterials(const recon::CurveNetwork& network, vtkPartitionedDataSetCollection* output)
+{
+  unsigned int block = 0;
+  for (const recon::MaterialContours& material : network.Materials)
+  {
+    vtkNew<vtkPolyData> contours;
+    FillMaterial(material, contours);
+    output->SetPartition(block, 0, contours);
+    const std::string name = "Material " + std::to_string(material.Label);
+    output->GetMetaData(block)->Set(vtkCompositeDataSet::NAME(), name.c_str());
+    ++block;
+  }
+}
+}
+
+vtkCurveNetworkReader::vtkCurveNetworkReader() : Implementation(std::make_unique<Internals>())
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+vtkCurveNetworkReader::~vtkCurveNetworkReader()
+{
+  this->SetFileName(nullptr);
+}
+
+void vtkCurveNetworkReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << endl;
+}
+
+int vtkCurveNetworkReader::CanReadFile(const char* fileName)
+{
+  return fileName && recon::CurveNetworkFormatOf(fileName) != recon::CurveNetworkFormat::None ? 1
+                                                                                              : 0;
+}
+
+int vtkCurveNetworkReader::FillOutputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkDataObject");
+  return 1;
+}
+
+int vtkCurveNetworkReader::RequestDataObject(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  // What is wrong with the file RequestData says; until then an empty output stands for it.
+  this->Implementation->Read(this);
+  const recon::CurveNetwork* network = this->Implementation->Network.get();
+  const bool isCollection = network && network->Materials.size() > 1;
+  vtkInformation* info = outputVector->GetInformationObject(0);
+  vtkDataObject* output = vtkDataObject::GetData(info);
+  if (isCollection && !vtkPartitionedDataSetCollection::SafeDownCast(output))
+  {
+    info->Set(vtkDataObject::DATA_OBJECT(), vtkNew<vtkPartitionedDataSetCollection>());
+  }
+  else if (!isCollection && !vtkPolyData::SafeDownCast(output))
+  {
+    info->Set(vtkDataObject::DATA_OBJECT(), vtkNew<vtkPolyData>());
+  }
+  return 1;
+}
+
+int vtkCurveNetworkReader::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  vtkDataObject* output = vtkDataObject::GetData(outputVector);
+  Internals& internals = *this->Implementation;
+  if (!internals.Network && internals.ErrorCode == vtkErrorCode::NoError)
+  {
+    internals.Read(this); // the pipeline asks again for data that it has let go
+  }
+  // Read once more next time: the file may have changed.
+  const std::unique_ptr<recon::CurveNetwork> network = std::move(internals.Network);
+  const unsigned long errorCode = std::exchange(internals.ErrorCode, vtkErrorCode::NoError);
+  this->SetErrorCode(errorCode);
+  if (errorCode == vtkErrorCode::UserError)
+  {
+    return 1; // stopped by the user
+  }
+  if (errorCode != vtkErrorCode::NoError)
+  {
+    vtkErrorMacro(<< internals.Sentence);
+    return 0;
+  }
+  auto* polyData = vtkPolyData::SafeDownCast(output);
+  auto* collection = vtkPartitionedDataSetCollection::SafeDownCast(output);
+  if (network->Materials.size() == 1 ? !polyData : !collection)
+  {
+    vtkErrorMacro(
+      "The file " << this->FileName << " has changed while it was read; read it again.");
+    this->SetErrorCode(vtkErrorCode::FileFormatError);
+    return 0;
+  }
+  if (polyData)
+  {
+    FillMaterial(network->Materials.front(), polyData);
+  }
+  else
+  {
+    FillMaterials(*network, collection);
+  }
+  recon::AddReport(network->Report, output->GetFieldData());
+  return 1;
+}

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkNUAGESWriter.h"
+
+#include "ContourConversion.h"
+#include "Contours/ContourChaining.h"
+#include "NUAGESFormatter.h"
+#include "vtkContourMonitor.h"
+
+#include "vtkCellData.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
+#include "vtkErrorCode.h"
+#include "vtkInformation.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+vtkStandardNewMacro(vtkNUAGESWriter);
+
+namespace
+{
+/// The one vtkPolyData of the input; a file holds one set of contours.
+vtkPolyData* ContoursOf(vtkDataObject* input)
+{
+  if (auto* polyData = vtkPolyData::SafeDownCast(input))
+  {
+    return polyData;
+  }
+  auto* composite = vtkCompositeDataSet::SafeDownCast(input);
+  if (!composite)
+  {
+    throw recon::Error("There are no contours to write: connect contours to the writer.");
+  }
+  vtkPolyData* found = nullptr;
+  const vtkSmartPointer<vtkCompositeDataIterator> leaf =
+    vtk::TakeSmartPointer(composite->NewIterator());
+  for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
+  {
+    auto* block = vtkPolyData::SafeDownCast(leaf->GetCurrentDataObject());
+    if (!block || block->GetNumberOfCells() == 0)
+    {
+      continue;
+    }
+    if (found)
+    {
+      throw recon::Error(
+        "The input has several blocks with contours, and a NUAGES file holds one: pick one with "
+        "the Extract Block filter.");
+    }
+    found = block;
+  }
+  if (!found)
+  {
+    throw recon::Error("There are no contours to write: all blocks of the input are empty.");
+  }
+  return found;
+}
+
+double SignedAreaInXY(const recon::LoopSoup& soup, const std::vector<int>& loop)
+{
+  using recon::operator-;
+  double twice = 0;
+  const recon::Point3& origin = soup.Points[static_cast<std::size_t>(loop.front())];
+  for (std::size_t i = 0; i < loop.size(); ++i)
+  {
+    const recon::Vector3 a = soup.Points[static_cast<std::size_t>(loop[i])] - origin;
+    const recon::Vector3 b =
+      soup.Points[static_cast<std::size_t>(loop[(i + 1) % loop.size()])] - origin;
+    twice += a[0] * b[1] - a[1] * b[0];
+  }
+  return twice / 2;
+}
+
+/// The format's convention, seen from +z: outer contours clockwise, holes counterclockwise.
+void OrientByDepth(vtkPolyData* input, recon::LoopSoup& soup)
+{
+  vtkDataArray* depth = input->GetCellData()->GetArray("Depth");
+  if (!depth)
+  {
+    return;
+  }
+  for (recon::LoopSoup::Chain& chain : soup.Chains)
+  {
+    const bool isHole = static_cast<int>(depth->GetTuple1(chain.Source)) % 2 != 0;
+    const double area = SignedAreaInXY(soup, chain.Points);
+    if (isHole ? area < 0 : area > 0)
+    {
+      std::reverse(chain.Points.begin() + 1, chain.Points.end());
+    }
+  }
+}
+
+/// Edges by the coordinates of their ends: chaining joins ends that differ in index only.
+class EdgeSet
+{
+public:
+  explicit EdgeSet(const recon::LoopSoup& soup) : Soup(soup) {}
+  void Add(int a, int b) { this->Edges.insert(this->Key(a, b)); }
+  bool Has(int a, int b) const { return this->Edges.count(this->Key(a, b)) > 0; }
+  bool IsPoint(int a, int b) const { return this->At(a) == this->At(b); }
+
+private:
+  using Edge = std::pair<recon::Point3, recon::Point3>;
+  const recon::Point3& At(int point) const
+  {
+    return this->Soup.Points[static_cast<std::size_t>(point)];
+  }
+  Edge Key(int a, int b) const { return std::minmax(this->At(a), this->At(b)); }
+
+  const recon::LoopSoup& Soup;
+  std::set<Edge> Edges;
+};
+
+/// @throws Error naming the first piece that is in no ring.
+void CheckAllClosed(const recon::LoopSoup& pieces, const std::vector<recon::Ring>& rings)
+{
+  EdgeSet closed(pieces);
+  for (const recon::Ring& ring : rings)
+  {
+    for (std::size_t i = 0; i < ring.Points.size(); ++i)
+    {
+      closed.Add(ring.Points[i], ring.Points[(i + 1) % ring.Points.size()]);
+    }
+  }
+  for (const recon::LoopSoup::Chain& piece : pieces.Chains)
+  {
+    for (std::size_t i = 0; i + 1 < piece.Points.size(); ++i)
+    {
+      const int a = piece.Points[i];
+      const int b = piece.Points[i + 1];
+      if (!closed.IsPoint(a, b) && !closed.Has(a, b))
+      {
+        throw recon::Error("Cannot write the contours: the line of cell " +
+          std::to_string(piece.Source) +
+          " does not close, and NUAGES files hold closed contours only.");
+      }
+    }
+  }
+}
+
+/// Closed loops as they are, loose pieces chained; single vertices are counted only.
+recon::LoopSoup CloseLoops(recon::LoopSoup soup, int& looseVertices, recon::Monitor& monitor)
+{
+  recon::LoopSoup closed;
+  recon::LoopSoup pieces;
+  for (recon::LoopSoup::Chain& chain : soup.Chains)
+  {
+    if (chain.Closed)
+    {
+      closed.Chains.push_back(std::move(chain));
+    }
+    else if (chain.Points.size() < 2)
+    {
+      ++looseVertices;
+    }
+    else
+    {
+      pieces.Chains.push_back(std::move(chain));
+    }
+  }
+  pieces.Points = std::move(soup.Points);
+  recon::ContourNotes notes(pieces); // what they say is an error here, see CheckAllClosed
+  std::vector<recon::Ring> rings = recon::ChainRings(pieces, 0, notes, monitor);
+  CheckAllClosed(pieces, rings);
+  for (recon::Ring& ring : rings)
+  {
+    closed.Chains.push_back({ std::move(ring.Points), true, ring.Source });
+  }
+  closed.Points = std::move(pieces.Points);
+  return closed;
+}
+}
+
+vtkNUAGESWriter::vtkNUAGESWriter() = default;
+
+vtkNUAGESWriter::~vtkNUAGESWriter()
+{
+  this->SetFileName(nullptr);
+}
+
+void vtkNUAGESWriter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << endl;
+}
+
+int vtkNUAGESWriter::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  return 1;
+}
+
+void vtkNUAGESWriter::WriteData()
+{
+  if (!this->FileName || !*this->FileName)
+  {
+    vtkErrorMacro("No file name is set: set FileName to the NUAGES file to write (.cnt).");
+    this->SetErrorCode(vtkErrorCode::NoFileNameError);
+    return;
+  }
+  try
+  {
+    vtkContourMonitor monitor(this);
+    vtkPolyData* input = ContoursOf(this->GetInput());
+    recon::ConvertedLoops converted = recon::ToLoopSoup(input);
+    std::vector<std::string> report = std::move(converted.Report);
+    int looseVertices = 0;
+    recon::LoopSoup closed = CloseLoops(std::move(converted.Soup), looseVertices, monitor);
+    if (closed.Chains.empty())
+    {
+      throw recon::Error("There are no closed contours to write.");
+    }
+    if (looseVertices > 0)
+    {
+      report.push_back(
+        std::to_string(looseVertices) + " loose vertices are no contours; left out.");
+    }
+    OrientByDepth(input, closed);
+    const std::vector<std::string> moved = recon::WriteNUAGES(this->FileName, closed, monitor);
+    report.insert(report.end(), moved.begin(), moved.end());
+    for (const std::string& line : report)
+    {
+      vtkWarningMacro(<< line);
+    }
+    this->SetErrorCode(vtkErrorCode::NoError);
+  }
+  catch (const recon::Aborted&)
+  {
+    this->SetErrorCode(vtkErrorCode::UserError);
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorMacro(<< error.what());
+    this->SetErrorCode(vtkErrorCode::CannotOpenFileError);
+  }
+}

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Readers/DICOM/StructureSetBuilder.h"
+#include "Readers/ReaderTesting.h"
+
+#include "StructureSetFile.h"
+
+#include <map>
+
+using namespace readertesting;
+
+namespace
+{
+const char* const Triangle = "0\\0\\1\\ 4\\0\\1 \\4\\+3.5\\1e0";
+
+class StructureSet : public Folder
+{
+protected:
+  recon::StructureSetContours Contours(recon::StructureSetFile& file, int roi = 0)
+  {
+    return file.ReadContours(roi, this->Monitor);
+  }
+  recon::Monitor Monitor;
+};
+
+struct Expected
+{
+  const char* Name;
+  std::size_t ROIs;
+  std::size_t Contours;
+  std::size_t Points;
+};
+
+class RealStructureSet : public testing::TestWithParam<Expected>
+{
+};
+}
+
+TEST_F(StructureSet, HasNumberNameColourAndType)
+{
+  StructureSetBuilder builder;
+  builder.AddROI(7, "Lung");
+  builder.AddContour("CLOSED_PLANAR", Triangle, 3);
+  builder.AddROI(3, "PTV 60", "PTV");
+  builder.Save(this->Name("a set.dcm"));
+  recon::StructureSetFile file(this->Name("a set.dcm"));
+  ASSERT_EQ(file.GetROIs().size(), 2u);
+  const recon::StructureSetROI& lung = file.GetROIs()[0];
+  EXPECT_EQ(lung.Number, 7);
+  EXPECT_EQ(lung.Name, "Lung");
+  EXPECT_EQ(lung.Type, "ORGAN");
+  EXPECT_TRUE(lung.HasColor);
+  EXPECT_EQ(lung.Color, (std::array<int, 3>{ 255, 128, 0 }));
+  EXPECT_EQ(lung.NumberOfContours, 1);
+  EXPECT_EQ(file.GetROIs()[1].Type, "PTV");
+  EXPECT_EQ(file.GetROIs()[1].NumberOfContours, 0);
+  EXPECT_TRUE(file.GetReport().empty());
+
+  const recon::StructureSetContours contours = this->Contours(file);
+  ASSERT_EQ(contours.File.Soup.Chains.size(), 1u);
+  EXPECT_TRUE(contours.File.Soup.Chains[0].Closed);
+  EXPECT_EQ(contours.File.Soup.Points,
+    (std::vector<recon::Point3>{ { 0, 0, 1 }, { 4, 0, 1 }, { 4, 3.5, 1 } }));
+  EXPECT_TRUE(contours.File.Report.empty());
+  const recon::StructureSetContours none = this->Contours(file, 1);
+  EXPECT_TRUE(none.File.Soup.Points.empty());
+  ASSERT_EQ(none.File.Report.size(), 1u);
+  EXPECT_EQ(none.File.Report[0], "ROI \"PTV 60\": it has no contours.");
+}
+
+TEST_F(StructureSet, KeepsEveryGeometricType)
+{
+  StructureSetBuilder builder;
+  builder.AddROI(1, "All");
+  builder.AddContour("POINT", "1\\2\\3", 1);
+  builder.AddContour("POINT", "1\\2\\3\\4\\5\\6", 2);
+  builder.AddContour("OPEN_PLANAR", Triangle, 3);
+  builder.AddContour("OPEN_NONPLANAR", Triangle, 3);
+  builder.AddContour("CLOSED_PLANAR", Triangle, 3);
+  builder.AddContour("CLOSEDPLANAR_XOR", Triangle, 3);
+  builder.AddContour("CLOSED_STRANGE", Triangle, 3);
+  // A plane across the axes: coordinates must pass as they are.
+  builder.AddContour("CLOSED_PLANAR", "0\\0\\0\\1\\0\\1\\1\\1\\2\\0\\1\\1", 4);
+  builder.Save(this->Name("a.dcm"));
+  recon::StructureSetFile file(this->Name("a.dcm"));
+  const recon::StructureSetContours contours = this->Contours(file);
+  EXPECT_EQ(contours.GeometricTypes,
+    (std::vector<std::string>{ "POINT", "POINT", "POINT", "OPEN_PLANAR", "OPEN_NONPLANAR",
+      "CLOSED_PLANAR", "CLOSEDPLANAR_XOR", "CLOSED_STRANGE", "CLOSED_PLANAR" }));
+  const std::vector<recon::LoopSoup::Chain>& chains = contours.File.Soup.Chains;
+  ASSERT_EQ(chains.size(), 9u);
+  const std::vector<std::size_t> points{ 1, 1, 1, 3, 3, 3, 3, 3, 4 };
+  for (std::size_t i = 0; i < chains.size(); ++i)
+  {
+    EXPECT_EQ(chains[i].Points.size(), points[i]) << i;
+    EXPECT_EQ(chains[i].Closed, i >= 5) << i;
+  }
+  EXPECT_EQ(chains[1].Source, 1);
+  EXPECT_EQ(chains[2].Source, 1);
+  EXPECT_EQ(contours.File.Soup.Points.back(), (recon::Point3{ 0, 1, 1 }));
+  ASSERT_EQ(contours.File.Report.size(), 1u);
+  EXPECT_NE(contours.File.Report[0].find("'CLOSED_STRANGE'"), std::string::npos);
+}
+
+TEST_F(StructureSet, ReadsEveryEncoding)
+{
+  StructureSetBuilder builder;
+  builder.AddROI(1, "A");
+  builder.AddContour("CLOSED_PLANAR", Triangle, 3);
+  for (const E_TransferSyntax syntax : { EXS_LittleEndianImplicit, EXS_LittleEndianExplicit,
+         EXS_BigEndianExplicit, EXS_DeflatedLittleEndianExplicit })
+  {
+    for (const bool preamble : { true, false })
+    {
+      if (!preamble && syntax == EXS_DeflatedLittleEndianExplicit)
+      {
+        continue; // nothing in such a file says that it is deflated
+      }
+      for (const E_EncodingType encoding : { EET_ExplicitLength, EET_UndefinedLength })
+      {
+        builder.Save(this->Name("a.dcm"), syntax, preamble, encoding);
+        EXPECT_TRUE(recon::StructureSetFile::IsStructureSet(this->Name("a.dcm")));
+        recon::StructureSetFile file(this->Name("a.dcm"));
+        EXPECT_EQ(this->Contours(file).File.Soup.Points.size(), 3u)
+          << "syntax " << syntax << ", preamble " << preamble << ", encoding " << encoding;
+      }
+    }
+  }
+}
+
+TEST_F(StructureSet, ReadsContourDataThatIsTooLongForExplicitVR)
+{
+  // 16 bits hold the length of a DS: DCMTK writes more than 65 534 bytes as UN, as others do.
+  std::string data;
+  for (int i = 0; i < 9000; ++i)
+  {
+    data += (i ? "\\" : "") + std::to_string(i) + ".25\\1\\2";
+  }
+  StructureSetBuilder builder;
+  builder.AddROI(1, "Long");
+  builder.AddContour("CLOSED_PLANAR", data, 9000);
+  for (const E_TransferSyntax syntax : { EXS_LittleEndianImplicit, EXS_LittleEndianExplicit })
+  {
+    builder.Save(this->Name("a.dcm"), syntax);
+    recon::StructureSetFile file(this->Name("a.dcm"));
+    const recon::StructureSetContours contours = this->Contours(file);
+    ASSERT_EQ(contours.File.Soup.Points.size(), 9000u);
+    EXPECT_EQ(contours.File.Soup.Points.back()[0], 8999.25);
+  }
+}
+
+TEST_F(StructureSet, NamesAreUTF8AndUnique)
+{
+  StructureSetBuilder builder;
+  StructureSetBuilder::Put(builder.Data(), DCM_SpecificCharacterSet, "ISO_IR 100");
+  builder.AddROI(1, "Herz \xFC");
+  builder.AddROI(2, "PTV");
+  builder.AddROI(4, "PTV");
+  builder.AddROI(5, "");
+  builder.AddContour("POINT", "1\\2\\3", 1);
+  builder.Save(this->Name("a.dcm"));
+  recon::StructureSetFile file(this->Name("a.dcm"));
+  EXPECT_EQ(file.GetROIs()[0].Name, "Herz \xC3\xBC");
+  EXPECT_EQ(file.GetROIs()[1].Name, "PTV (2)");
+  EXPECT_EQ(file.GetROIs()[2].Name, "PTV (4)");
+  EXPECT_EQ(file.GetROIs()[3].Name, "ROI 5");
+  EXPECT_EQ(file.GetReport().size(), 2u);
+}
+
+TEST_F(StructureSet, ReportsWhatItReadAround)
+{
+  StructureSetBuilder builder;
+  builder.AddROI(1, "A");
+  builder.AddContour("CLOSED_PLANAR", Triangle, 5);
+  builder.AddContour("CLOSED_PLANAR", "", 0);
+  DcmItem* stray = nullptr;
+  ASSERT_TRUE(builder.Data().findOrCreateSequenceItem(DCM_ROIContourSequence, stray, -2).good());
+  StructureSetBuilder::Put(*stray, DCM_ReferencedROINumber, "99");
+  ASSERT_TRUE(builder.Data().findAndDeleteElement(DCM_RTROIObservationsSequence).good());
+  builder.Save(this->Name("a.dcm"));
+  recon::StructureSetFile file(this->Name("a.dcm"));
+  ASSERT_EQ(file.GetReport().size(), 2u);
+  EXPECT_NE(file.GetReport()[0].find("ROI number 99"), std::string::npos);
+  EXPECT_NE(file.GetReport()[1].find("(3006,0080) is missing"), std::string::npos);
+  const recon::StructureSetContours contours = this->Contours(file);
+  ASSERT_EQ(contours.File.Report.size(), 2u);
+  EXPECT_EQ(contours.File.Report[0],
+    "ROI \"A\", contour 1: announces 5 points and has 3; all of these were read.");
+  EXPECT_EQ(contours.File.Report[1], "ROI \"A\", contour 2: left out, it has no contour data.");
+}
+
+TEST_P(RealStructureSet, HasTheCountsOfItsTable)
+{
+  const std::string fileName = Shared(std::string("rtstruct/") + GetParam().Name);
+  CONTOUR_SKIP_UNLESS(fileName);
+  EXPECT_TRUE(recon::StructureSetFile::IsStructureSet(fileName));
+  recon::Monitor monitor;
+  recon::StructureSetFile file(fileName);
+  std::size_t contours = 0;
+  std::size_t points = 0;
+  for (std::size_t i = 0; i < file.GetROIs().size(); ++i)
+  {
+    contours += static_cast<std::size_t>(file.GetROIs()[i].NumberOfContours);
+    points += file.ReadContours(static_cast<int>(i), monitor).File.Soup.Points.size();
+  }
+  EXPECT_EQ(file.GetROIs().size(), GetParam().ROIs);
+  EXPECT_EQ(contours, GetParam().Contours);
+  EXPECT_EQ(points, GetParam().Points);
+}
+
+INSTANTIATE_TEST_SUITE_P(Shared, RealStructureSet,
+  testing::Values(Expected{ "dicompyler_rtss.dcm", 10, 441, 88158 },
+    Expected{ "dicomexport_rs.dcm", 11, 281, 140724 }, Expected{ "cerr_ibsi.dcm", 1, 26, 9661 },
+    Expected{ "rtutils_keyholes.dcm", 4, 12, 2104 },
+    Expected{ "rtutils_single_slice_hole.dcm", 1, 2, 12 },
+    Expected{ "pydicom_no_preamble_points.dcm", 3, 5, 19 },
+    Expected{ "pyorthanc_cone_02mm.dcm", 2, 121, 22694 },
+    Expected{ "template_no_contour_data.dcm", 1, 1, 0 }));
