@@ -44,12 +44,15 @@ Coverage FindCoverage(
   Coverage coverage;
   coverage.Covered.assign(count, 0);
   coverage.Isolated.assign(count, 0);
+  coverage.Ends.assign(count, 0);
   for (int t = 0; t < count; ++t)
   {
     const bool solidAbove = above && above->Tetrahedra[t].Reason == SlabTetrahedra::Kept;
     const bool solidBelow =
       below && below->Tetrahedra[below->NumberOfT1 + t].Reason == SlabTetrahedra::Kept;
-    coverage.Covered[t] = solidAbove || solidBelow ? 1 : 0;
+    coverage.Covered[t] =
+      static_cast<unsigned char>((solidAbove ? LevelTriangulation::LevelAbove : 0) |
+        (solidBelow ? LevelTriangulation::LevelBelow : 0));
   }
   std::vector<unsigned char> visited(count, 0);
   for (int t = 0; t < count; ++t)
@@ -59,11 +62,16 @@ Coverage FindCoverage(
       continue;
     }
     const std::vector<int> region = RegionOf(level, t, visited);
-    const bool touched =
-      std::any_of(region.begin(), region.end(), [&](int r) { return coverage.Covered[r] != 0; });
+    constexpr int bothSides = LevelTriangulation::LevelBelow | LevelTriangulation::LevelAbove;
+    int touched = 0;
     for (int r : region)
     {
-      coverage.Isolated[r] = touched ? 0 : 1;
+      touched |= coverage.Covered[r];
+    }
+    for (int r : region)
+    {
+      coverage.Isolated[r] = touched == 0 ? 1 : 0;
+      coverage.Ends[r] = static_cast<unsigned char>(bothSides & ~touched);
     }
   }
   return coverage;
@@ -89,6 +97,23 @@ std::vector<Point2> FindCoverPoints(
         const Point2& b = level.Points[corners[(k + 2) % 3]];
         points.push_back({ (a[0] + b[0]) / 2, (a[1] + b[1]) / 2 });
       }
+    }
+  }
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  return points;
+}
+
+std::vector<Point2> FindEndCapPoints(const LevelTriangulation& level, const Coverage& coverage)
+{
+  std::vector<Point2> points;
+  for (std::size_t t = 0; t < level.Triangles.size(); ++t)
+  {
+    const Point2 p = level.VoronoiVertex(static_cast<int>(t));
+    if (level.Inside[t] && coverage.Ends[t] && !coverage.Isolated[t] && std::isfinite(p[0]) &&
+      std::isfinite(p[1]))
+    {
+      points.push_back(p);
     }
   }
   std::sort(points.begin(), points.end());

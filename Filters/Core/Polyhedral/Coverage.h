@@ -13,7 +13,7 @@
 #define recon_Coverage_h
 
 #include "JointVoronoi.h"
-#include "SolidComplex.h"
+#include "LevelGeometry.h"
 
 #include <vector>
 
@@ -21,8 +21,12 @@ namespace recon
 {
 struct Coverage
 {
-  std::vector<unsigned char> Covered;  ///< a triangle: its T1 in the slab above or T2 below is kept
+  /// A triangle: LevelTriangulation::AskedByType bits of the sides on which its T1 or T2 is kept.
+  std::vector<unsigned char> Covered;
   std::vector<unsigned char> Isolated; ///< a triangle of IR: no triangle of its region is covered
+  /// A triangle of IR: LevelTriangulation::AskedByType bits of the sides on which no solid leaves
+  /// its region, so that it ends there.
+  std::vector<unsigned char> Ends;
 };
 
 /// below, above: the slabs next to the level, null at the ends.
@@ -35,6 +39,10 @@ Coverage FindCoverage(
  */
 std::vector<Point2> FindCoverPoints(
   const LevelTriangulation& level, const Coverage& coverage, const LiftedHeights& lifted);
+
+/// Vertices of the internal Voronoi skeleton in regions that end on some side and are not isolated:
+/// points for a tapered end.
+std::vector<Point2> FindEndCapPoints(const LevelTriangulation& level, const Coverage& coverage);
 }
 
 #endif

@@ -2,6 +2,7 @@
 #include "JointVoronoi.h"
 
 #include "JointVoronoiPredicates.h"
+#include "VertexRegions.h"
 
 namespace recon
 {
@@ -41,11 +42,14 @@ bool NodeOutside(const LevelTriangulation& level, int edge, const Point2& u, con
 class Elimination
 {
 public:
-  Elimination(
-    const LevelTriangulation& level1, const LevelTriangulation& level2, SlabTetrahedra& slab)
+  Elimination(const LevelTriangulation& level1, const LevelTriangulation& level2,
+    const SlabJoins& joins, SlabTetrahedra& slab)
     : Level1(level1),
       Level2(level2),
-      Slab(slab)
+      Joins(joins),
+      Slab(slab),
+      Regions1(level1),
+      Regions2(level2)
   {
   }
 
@@ -65,7 +69,15 @@ private:
   SlabTetrahedra::ReasonType ReasonOfBase(const Tetrahedron& t) const
   {
     const auto& level = t.NodeType == SlabTetrahedra::T1 ? this->Level1 : this->Level2;
-    return level.Inside[t.Origin[0]] ? SlabTetrahedra::Kept : SlabTetrahedra::ExternalEdge;
+    if (!level.Inside[t.Origin[0]])
+    {
+      return SlabTetrahedra::ExternalEdge;
+    }
+    const int base = level.Region[t.Origin[0]];
+    const bool joined = t.NodeType == SlabTetrahedra::T1
+      ? this->Regions2.AnyOf(t.Corners[3], [&](int r) { return this->Joins.AreJoined(base, r); })
+      : this->Regions1.AnyOf(t.Corners[3], [&](int r) { return this->Joins.AreJoined(r, base); });
+    return joined ? SlabTetrahedra::Kept : SlabTetrahedra::NotJoined;
   }
 
   SlabTetrahedra::ReasonType ReasonOfT12(const Tetrahedron& t) const
@@ -75,6 +87,11 @@ private:
     if (kind1 == EdgeKind::External || kind2 == EdgeKind::External)
     {
       return SlabTetrahedra::ExternalEdge;
+    }
+    if (!this->Joins.AreJoined(
+          RegionAtEdge(this->Level1, t.Origin[0]), RegionAtEdge(this->Level2, t.Origin[1])))
+    {
+      return SlabTetrahedra::NotJoined;
     }
     if (kind1 == EdgeKind::Internal || kind2 == EdgeKind::Internal)
     {
@@ -201,13 +218,22 @@ private:
 
   const LevelTriangulation& Level1;
   const LevelTriangulation& Level2;
+  const SlabJoins& Joins;
   SlabTetrahedra& Slab;
+  VertexRegions Regions1;
+  VertexRegions Regions2;
 };
 }
 
-void EliminateTetrahedra(
-  const LevelTriangulation& level1, const LevelTriangulation& level2, SlabTetrahedra& slab)
+int RegionAtEdge(const LevelTriangulation& level, int edge)
 {
-  Elimination(level1, level2, slab).Run();
+  const int region = level.Region[edge / 3];
+  return region >= 0 ? region : level.Region[level.Neighbours[edge / 3][edge % 3]];
+}
+
+void EliminateTetrahedra(const LevelTriangulation& level1, const LevelTriangulation& level2,
+  const SlabJoins& joins, SlabTetrahedra& slab)
+{
+  Elimination(level1, level2, joins, slab).Run();
 }
 }

@@ -22,6 +22,7 @@
 
 #include "../Monitor.h"
 #include "LevelTriangulation.h"
+#include "SlabJoins.h"
 
 #include <array>
 #include <vector>
@@ -47,7 +48,8 @@ struct SlabTetrahedra
     Kept = 0,
     ExternalEdge = 1,        ///< an edge in the plane of a level runs outside its contours
     OutsideBothContours = 2, ///< T12 of two contour edges whose node lies outside both
-    NonSolidConnection = 3   ///< touches one of the levels in a point or an edge only
+    NonSolidConnection = 3,  ///< touches one of the levels in a point or an edge only
+    NotJoined = 4            ///< its regions on the two levels are not mapped to each other
   };
 
   struct Tetrahedron
@@ -80,14 +82,17 @@ struct SlabTetrahedra
 SlabTetrahedra BuildJointVoronoi(
   const LevelTriangulation& level1, const LevelTriangulation& level2);
 
+/// Region on the solid side of a Delaunay edge (as in Origin) that is not external.
+int RegionAtEdge(const LevelTriangulation& level, int edge);
+
 /**
  * Set Reason of every tetrahedron (thesis 5.5, 6.4).
  *
  * A T12 of two contour edges whose node lies outside both contours is not solid either: the thesis
  * keeps it, and it draws thin sheets and spikes across bays.
  */
-void EliminateTetrahedra(
-  const LevelTriangulation& level1, const LevelTriangulation& level2, SlabTetrahedra& slab);
+void EliminateTetrahedra(const LevelTriangulation& level1, const LevelTriangulation& level2,
+  const SlabJoins& joins, SlabTetrahedra& slab);
 }
 
 #endif

@@ -70,6 +70,48 @@ bool Encroaches(const Kernel::Point_2& p, const Edge& edge)
   const auto& b = edge.first->vertex(Triangulation::ccw(edge.second))->point();
   return CGAL::side_of_bounded_circle(a, b, p) != CGAL::ON_UNBOUNDED_SIDE;
 }
+
+/// The outer wall of every connected part of IR: the contour of even depth at its border, or the
+/// parent of one of its holes where holes that touch cut a part off from the wall.
+void NameRegions(const ContourSet& contours, LevelTriangulation& level)
+{
+  const int count = static_cast<int>(level.Triangles.size());
+  level.Region.assign(count, -1);
+  std::vector<unsigned char> visited(count, 0);
+  std::vector<int> region;
+  for (int seed = 0; seed < count; ++seed)
+  {
+    if (!level.Inside[seed] || visited[seed])
+    {
+      continue;
+    }
+    int wall = -1;
+    region.assign(1, seed);
+    visited[seed] = 1;
+    for (std::size_t i = 0; i < region.size(); ++i)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        const int contour = level.EdgeContour[region[i]][k];
+        const int neighbour = level.Neighbours[region[i]][k];
+        if (contour >= 0)
+        {
+          const bool outer = contours.Contours[contour].Depth % 2 == 0;
+          wall = outer ? contour : (wall < 0 ? contours.Contours[contour].Parent : wall);
+        }
+        else if (neighbour >= 0 && !visited[neighbour])
+        {
+          visited[neighbour] = 1;
+          region.push_back(neighbour);
+        }
+      }
+    }
+    for (int t : region)
+    {
+      level.Region[t] = wall;
+    }
+  }
+}
 }
 
 struct LevelTriangulator::Implementation
@@ -460,6 +502,7 @@ LevelTriangulation LevelTriangulator::Finish() const
     }
     out.Neighbours.push_back(neighbours);
   }
+  NameRegions(impl.Contours, out);
   return out;
 }
 

@@ -31,8 +31,8 @@ struct LevelTriangulation
   {
     LevelBelow = 1,
     LevelAbove = 2,
-    Cover =
-      4 ///< neither: put there so that a part of a contour that nothing faces keeps a thickness
+    Cover = 4, ///< neither: gives a part of a contour that nothing faces a thickness
+    EndCap = 8 ///< neither: on the internal skeleton of a region that ends here
   };
 
   std::vector<Point2> Points;
@@ -43,7 +43,9 @@ struct LevelTriangulation
   std::vector<std::array<int, 3>> Neighbours;  ///< k: across the edge opposite corner k, or -1
   std::vector<std::array<int, 3>> EdgeContour; ///< k: contour of that edge, or -1
   std::vector<unsigned char> Inside;           ///< triangle belongs to IR
-  std::vector<int> StarTriangle;               ///< of a point: one triangle that has it as a corner
+  std::vector<int>
+    Region; ///< of a triangle of IR: the outer wall of its region (a contour), else -1
+  std::vector<int> StarTriangle; ///< of a point: one triangle that has it as a corner
 
   /// Planar position of a Voronoi vertex (circumcentre of a triangle), rounded; not finite where
   /// the triangle is flat within rounding.

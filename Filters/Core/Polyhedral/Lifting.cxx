@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Lifting.h"
 
-#include <CGAL/AABB_segment_primitive.h>
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <algorithm>
@@ -27,47 +24,14 @@ constexpr int Sweeps = 10;
 /// Share of the remaining way below which a step is not worth a try.
 constexpr double SmallestStep = 1.0 / 16;
 
-/// Distances in the plane of a level to its contour edges.
-class ContourDistance
-{
-public:
-  explicit ContourDistance(const LevelTriangulation& level)
-  {
-    for (std::size_t t = 0; t < level.Triangles.size(); ++t)
-    {
-      for (int k = 0; k < 3; ++k)
-      {
-        if (level.EdgeContour[t][k] >= 0 && level.Inside[t])
-        {
-          const auto& corners = level.Triangles[t];
-          this->Edges.emplace_back(
-            At(level.Points[corners[(k + 1) % 3]]), At(level.Points[corners[(k + 2) % 3]]));
-        }
-      }
-    }
-    this->Tree.rebuild(this->Edges.begin(), this->Edges.end());
-  }
-
-  double operator()(const Point2& p) const { return std::sqrt(this->Tree.squared_distance(At(p))); }
-
-private:
-  using Edge = Kernel::Segment_3;
-  using Primitive = CGAL::AABB_segment_primitive<Kernel, std::vector<Edge>::const_iterator>;
-
-  static Kernel::Point_3 At(const Point2& p) { return { p[0], p[1], 0 }; }
-
-  std::vector<Edge> Edges;
-  CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>> Tree;
-};
-
 class SlabLifting
 {
 public:
   SlabLifting(const LevelGeometry& level1, const LevelGeometry& level2, const SlabTetrahedra& slab,
-    const std::vector<unsigned char>& wanted1, const std::vector<unsigned char>& wanted2)
+    const std::vector<double>& targets1, const std::vector<double>& targets2)
     : Levels{ { level1, level2 } },
       Slab(slab),
-      Wanted{ { &wanted1, &wanted2 } }
+      Targets{ { targets1, targets2 } }
   {
     for (int side : { 0, 1 })
     {
@@ -83,7 +47,6 @@ public:
     {
       return;
     }
-    this->FindTargets();
     this->FindSmallestVolumes();
     for (int sweep = 0; sweep < Sweeps && this->Sweep(); ++sweep)
     {
@@ -112,7 +75,7 @@ private:
       for (int k = 0; k < 4; ++k)
       {
         const int side = SlabTetrahedra::OnLevel2(t, k) ? 1 : 0;
-        if ((*this->Wanted[side])[t.Corners[k]])
+        if (!std::isnan(this->Targets[side][t.Corners[k]]))
         {
           this->Stars[side][t.Corners[k]].push_back(static_cast<int>(i));
           any = true;
@@ -120,29 +83,6 @@ private:
       }
     }
     return any;
-  }
-
-  void FindTargets()
-  {
-    const ContourDistance distance1(*this->Levels[0].Triangulation);
-    const ContourDistance distance2(*this->Levels[1].Triangulation);
-    for (int side : { 0, 1 })
-    {
-      const auto& own = side == 0 ? distance1 : distance2;
-      const auto& other = side == 0 ? distance2 : distance1;
-      const auto& points = this->Levels[side].Triangulation->Points;
-      const double whole = this->Levels[1 - side].Offset - this->Levels[side].Offset;
-      this->Targets[side] = this->Heights[side];
-      for (std::size_t p = 0; p < points.size(); ++p)
-      {
-        if (!this->Stars[side][p].empty())
-        {
-          const double dA = own(points[p]);
-          const double dB = other(points[p]);
-          this->Targets[side][p] += whole * dA / (dA + dB);
-        }
-      }
-    }
   }
 
   void FindSmallestVolumes()
@@ -171,6 +111,10 @@ private:
   bool Raise(int side, int point)
   {
     const double from = this->Heights[side][point];
+    if (this->Stars[side][point].empty() || from == this->Targets[side][point])
+    {
+      return false;
+    }
     const double way = this->Targets[side][point] - from;
     double& height = this->Heights[side][point];
     for (double fraction = 1; fraction >= SmallestStep; fraction /= 2)
@@ -188,9 +132,8 @@ private:
   bool IsSafe(int side, int point) const
   {
     const auto& star = this->Stars[side][point];
-    return std::all_of(star.begin(), star.end(), [&](int t) {
-      return this->Volume(t) >= this->SmallestVolume[t] && this->IsPositive(t);
-    });
+    return std::all_of(star.begin(), star.end(),
+      [&](int t) { return this->Volume(t) >= this->SmallestVolume[t] && this->IsPositive(t); });
   }
 
   std::array<Kernel::Point_3, 4> CornersOf(int tetrahedron) const
@@ -220,19 +163,18 @@ private:
 
   std::array<LevelGeometry, 2> Levels;
   const SlabTetrahedra& Slab;
-  std::array<const std::vector<unsigned char>*, 2> Wanted;
   std::array<std::vector<double>, 2> Heights;
   std::array<std::vector<double>, 2> Targets;
-  std::vector<double> SmallestVolume; ///< that a tetrahedron must keep
+  std::vector<double> SmallestVolume;                 ///< that a tetrahedron must keep
   std::array<std::vector<std::vector<int>>, 2> Stars; ///< tetrahedra at every point to be lifted
 };
 }
 
 void LiftInternalPoints(const LevelGeometry& level1, const LevelGeometry& level2,
-  const SlabTetrahedra& slab, const std::vector<unsigned char>& wanted1,
-  const std::vector<unsigned char>& wanted2, LiftedHeights& lower, LiftedHeights& upper)
+  const SlabTetrahedra& slab, const std::vector<double>& targets1,
+  const std::vector<double>& targets2, LiftedHeights& lower, LiftedHeights& upper)
 {
-  SlabLifting lifting(level1, level2, slab, wanted1, wanted2);
+  SlabLifting lifting(level1, level2, slab, targets1, targets2);
   lifting.Run();
   lower.Above = lifting.LiftedHeightsOf(0);
   upper.Below = lifting.LiftedHeightsOf(1);

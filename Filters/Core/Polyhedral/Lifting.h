@@ -18,12 +18,13 @@ namespace recon
  * the surface never crosses itself. Points are treated in their order, so the result is always the
  * same.
  *
- * wanted1, wanted2: the points of level 1 and 2 to be lifted. Writes lower.Above and upper.Below,
- * each as long as the level's points, NaN where not lifted.
+ * targets1, targets2: of every point of level 1 and 2 the height wanted, NaN where it is not to be
+ * lifted. Writes lower.Above and upper.Below, each as long as the level's points, NaN where not
+ * lifted.
  */
 void LiftInternalPoints(const LevelGeometry& level1, const LevelGeometry& level2,
-  const SlabTetrahedra& slab, const std::vector<unsigned char>& wanted1,
-  const std::vector<unsigned char>& wanted2, LiftedHeights& lower, LiftedHeights& upper);
+  const SlabTetrahedra& slab, const std::vector<double>& targets1,
+  const std::vector<double>& targets2, LiftedHeights& lower, LiftedHeights& upper);
 }
 
 #endif

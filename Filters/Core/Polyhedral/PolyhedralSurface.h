@@ -19,8 +19,34 @@ namespace recon
 {
 struct PolyhedralOptions
 {
+  enum MappingType
+  {
+    Proximity = 0, ///< the Voronoi diagrams alone decide what is joined
+    Overlap = 1 ///< only regions that overlap by more than OverlapThreshold are (thesis chapter 3)
+  };
+  enum EndCapsType
+  {
+    Flat = 0,      ///< in the plane of the contour: no volume added
+    HalfSlice = 1, ///< half a slice straight on, as planning systems count volumes
+    Tapered = 2,   ///< rounded off within half a slice
+    NoCaps = 3     ///< left open: the surface is then not closed
+  };
+  enum IsolatedContoursType
+  {
+    Drop = 0,   ///< left out, with a line in Report
+    Extrude = 1 ///< half a slice each way
+  };
+
   bool InternalPoints = true;     ///< thesis 5.3
   bool LiftInternalPoints = true; ///< thesis 6.2
+  MappingType Mapping = Proximity;
+  double OverlapThreshold = 0.1;                   ///< share of the smaller region, in [0, 1)
+  std::vector<std::pair<int, int>> ForcedJoins;    ///< pairs of ContourId on adjacent levels
+  std::vector<std::pair<int, int>> ForbiddenJoins; ///< wins over ForcedJoins
+  double MaximumGap =
+    0; ///< slabs thicker than this many median spacings are not bridged; 0 = all are
+  EndCapsType EndCaps = Flat;
+  IsolatedContoursType IsolatedContours = Drop;
   int Threads = 0; ///< 0 = as many as the machine has; the result does not depend on it
 };
 
@@ -49,6 +75,9 @@ struct PolyhedralSurface
   std::vector<int>
     MappingGroup;             ///< a triangle: number of the group of contours that its slab joins
   std::vector<int> PointKind; ///< a point: PointKindType
+  double EndCapVolume =
+    0; ///< cubic units that the caps of ends add to the solid between the levels
+  double IsolatedVolume = 0; ///< cubic units of isolated contours that were extruded
   std::vector<std::string> Report;
   std::vector<std::pair<std::string, double>> StageSeconds; ///< wall time by stage
 };

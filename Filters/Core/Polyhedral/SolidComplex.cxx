@@ -21,11 +21,11 @@ class Builder
 {
 public:
   Builder(const std::vector<LevelGeometry>& levels, const std::vector<SlabTetrahedra>& slabs,
-    const std::vector<LiftedHeights>& lifted, const std::vector<MustCover>& mustCover)
+    const std::vector<LiftedHeights>& lifted, const std::vector<Coverage>& coverages)
     : Levels(levels),
       Slabs(slabs),
       Lifted(lifted),
-      Cover(mustCover)
+      Coverages(coverages)
   {
   }
 
@@ -45,6 +45,10 @@ public:
     {
       this->AddSlab(static_cast<int>(slab), above[slab], below[slab + 1]);
     }
+    const int last = static_cast<int>(this->Levels.size()) - 1;
+    this->FillGap(-1, 0, this->AddLiftedVertices(0, this->Lifted[0].Below), nullptr, below[0]);
+    this->FillGap(
+      last, last, this->AddLiftedVertices(last, this->Lifted[last].Above), nullptr, above[last]);
     for (std::size_t level = 0; level < this->Levels.size(); ++level)
     {
       this->JoinAcrossPlane(static_cast<int>(level), above[level], below[level]);
@@ -105,7 +109,7 @@ private:
       {
         continue;
       }
-      Cell cell{ {}, {}, slab };
+      Cell cell{ {}, {}, slab, SolidComplex::BetweenLevels };
       for (int k = 0; k < 4; ++k)
       {
         cell.Vertices[k] =
@@ -122,7 +126,8 @@ private:
   /**
    * Fill the space between the plane of a level and its lifted triangles in one slab.
    *
-   * baseCells: of every triangle its T1 (or T2) cell, or -1. sides: receives what the plane sees.
+   * baseCells: of every triangle its T1 (or T2) cell or -1; null beyond the first and last level.
+   * sides: receives what the plane sees.
    * A triangle grows one tetrahedron for each lifted corner, in the order of the point numbers, so
    * that triangles that share an edge agree on the faces above it.
    */
@@ -136,7 +141,11 @@ private:
     std::vector<std::array<int, 3>> lifting(count, { { -1, -1, -1 } });
     for (int t = 0; t < count; ++t)
     {
-      this->AddGapCells(slab, level, t, seen, upwards, lifting[t], sides[t], baseCells[t]);
+      if (triangulation.Inside[t])
+      {
+        this->AddGapCells(
+          slab, level, t, seen, upwards, lifting[t], sides[t], baseCells ? baseCells[t] : -1);
+      }
     }
     for (int t = 0; t < count; ++t)
     {
@@ -151,6 +160,23 @@ private:
         }
       }
     }
+  }
+
+  SolidComplex::PartType PartOf(int level, int t, bool upwards) const
+  {
+    const int side = upwards ? LevelTriangulation::LevelAbove : LevelTriangulation::LevelBelow;
+    if (this->Coverages[level].Isolated[t])
+    {
+      return SolidComplex::Isolated;
+    }
+    return this->Coverages[level].Ends[t] & side ? SolidComplex::EndCap
+                                                 : SolidComplex::BetweenLevels;
+  }
+
+  /// A triangle of IR belongs to the solid's closure but for isolated regions.
+  bool MustCover(int level, int t) const
+  {
+    return this->Levels[level].Triangulation->Inside[t] && !this->Coverages[level].Isolated[t];
   }
 
   /// Position in a gap cell of corner k of its triangle: one below the plane is the mirror image.
@@ -175,7 +201,7 @@ private:
       {
         continue;
       }
-      Cell cell{ {}, { { -1, -1, -1, -1 } }, slab };
+      Cell cell{ {}, { { -1, -1, -1, -1 } }, slab, this->PartOf(level, t, upwards) };
       for (int j = 0; j < 3; ++j)
       {
         cell.Vertices[GapCorner(j, upwards)] = current[j];
@@ -215,6 +241,10 @@ private:
     bool upwards, const std::vector<std::array<int, 3>>& lifting)
   {
     const int neighbour = triangulation.Neighbours[t][other];
+    if (neighbour < 0)
+    {
+      return; // an upright wall on the hull
+    }
     const int point = triangulation.Triangles[t][lifted];
     const auto& corners = triangulation.Triangles[neighbour];
     const int same = corners[0] == point ? 0 : (corners[1] == point ? 1 : 2);
@@ -236,7 +266,8 @@ private:
       {
         this->Join(above[t], below[t]);
       }
-      else if (above[t].Cell < 0 && below[t].Cell < 0 && this->Cover[level][t])
+      else if (above[t].Cell < 0 && below[t].Cell < 0 &&
+        this->MustCover(level, static_cast<int>(t)))
       {
         this->AddPyramid(level, static_cast<int>(t));
       }
@@ -256,7 +287,7 @@ private:
     const auto& top = this->Complex.Vertices[apex];
     const auto& triangulation = *this->Levels[level].Triangulation;
     const auto& corners = triangulation.Triangles[t];
-    Cell cell{ {}, { { -1, -1, -1, -1 } }, slab };
+    Cell cell{ {}, { { -1, -1, -1, -1 } }, slab, SolidComplex::BetweenLevels };
     Point2 centroid{ { 0, 0 } };
     for (int k = 0; k < 3; ++k)
     {
@@ -292,7 +323,7 @@ private:
   const std::vector<LevelGeometry>& Levels;
   const std::vector<SlabTetrahedra>& Slabs;
   const std::vector<LiftedHeights>& Lifted;
-  const std::vector<MustCover>& Cover;
+  const std::vector<Coverage>& Coverages;
   std::vector<int> FirstVertex;
   std::vector<std::vector<int>>
     Lower; ///< by slab: vertices of its lower level as the slab sees them
@@ -303,8 +334,8 @@ private:
 
 SolidComplex BuildSolidComplex(const std::vector<LevelGeometry>& levels,
   const std::vector<SlabTetrahedra>& slabs, const std::vector<LiftedHeights>& lifted,
-  const std::vector<MustCover>& mustCover)
+  const std::vector<Coverage>& coverages)
 {
-  return Builder(levels, slabs, lifted, mustCover).Build();
+  return Builder(levels, slabs, lifted, coverages).Build();
 }
 }

@@ -16,6 +16,7 @@
 #ifndef recon_SolidComplex_h
 #define recon_SolidComplex_h
 
+#include "Coverage.h"
 #include "JointVoronoi.h"
 
 #include <array>
@@ -34,34 +35,25 @@ struct SolidComplex
     bool Lifted;
   };
 
+  enum PartType : unsigned char
+  {
+    BetweenLevels, ///< a tetrahedron of the joint Voronoi diagram, or one under a lifted internal
+                   ///< point
+    EndCap,        ///< of a region that ends here
+    Isolated       ///< of a region that nothing touches
+  };
+
   struct Cell
   {
     std::array<int, 4> Vertices;   ///< positively oriented
     std::array<int, 4> Neighbours; ///< across the face opposite vertex k; -1: not solid there
-    int Slab;
+    int Slab; ///< -1 and the number of levels less one: beyond the first and the last level
+    PartType Part;
   };
 
   std::vector<Vertex> Vertices;
   std::vector<Cell> Cells;
 };
-
-struct LevelGeometry
-{
-  const LevelTriangulation* Triangulation;
-  double Offset;
-};
-
-/// Of every point of a level its height in the slab above and in the one below, NaN where it is not
-/// lifted there; empty where the level has no such slab or nothing was lifted.
-struct LiftedHeights
-{
-  std::vector<double> Above;
-  std::vector<double> Below;
-};
-
-/// Which triangles of a level must be part of the solid's closure: those of IR but for isolated
-/// regions.
-using MustCover = std::vector<unsigned char>;
 
 /**
  * A triangle that must be covered and has no solid on either side (the acute tip of a contour,
@@ -69,7 +61,7 @@ using MustCover = std::vector<unsigned char>;
  */
 SolidComplex BuildSolidComplex(const std::vector<LevelGeometry>& levels,
   const std::vector<SlabTetrahedra>& slabs, const std::vector<LiftedHeights>& lifted,
-  const std::vector<MustCover>& mustCover);
+  const std::vector<Coverage>& coverages);
 }
 
 #endif

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "LiftTargets.h"
+
+#include "VertexRegions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace recon
+{
+namespace
+{
+/// Height that a tapered end gains for a unit of distance from the contour.
+constexpr double TaperSlope = 0.5;
+
+class Targets
+{
+public:
+  Targets(const LiftSide& side, const PolyhedralOptions& options)
+    : Side(side),
+      Options(options),
+      Level(*side.Level->Triangulation),
+      Regions(Level)
+  {
+  }
+
+  std::vector<double> Find() const
+  {
+    std::vector<double> heights(this->Level.Points.size());
+    const std::vector<int> triangles = this->TriangleOfRegion();
+    for (std::size_t p = 0; p < heights.size(); ++p)
+    {
+      const double rise = triangles[p] < 0 ? 0 : this->RiseOf(static_cast<int>(p), triangles[p]);
+      heights[p] =
+        rise == 0 ? std::numeric_limits<double>::quiet_NaN() : this->Side.Level->Offset + rise;
+    }
+    return heights;
+  }
+
+private:
+  /// Of every point a triangle of IR at it, or -1 outside and where several regions meet.
+  std::vector<int> TriangleOfRegion() const
+  {
+    std::vector<int> triangles(this->Level.Points.size(), -1);
+    for (std::size_t t = 0; t < this->Level.Triangles.size(); ++t)
+    {
+      for (int p : this->Level.Triangles[t])
+      {
+        if (this->Level.Inside[t] && !this->Regions.IsTouching(p))
+        {
+          triangles[p] = static_cast<int>(t);
+        }
+      }
+    }
+    return triangles;
+  }
+
+  /// Signed, 0 = stays.
+  double RiseOf(int point, int triangle) const
+  {
+    if (this->Side.Covered->Isolated[triangle])
+    {
+      return this->Options.IsolatedContours == PolyhedralOptions::Extrude ? this->Side.EndSlab / 2
+                                                                          : 0;
+    }
+    const bool ends = (this->Side.Covered->Ends[triangle] & this->Side.Towards) != 0;
+    if (ends && this->Options.EndCaps == PolyhedralOptions::HalfSlice)
+    {
+      return this->Side.EndSlab / 2;
+    }
+    if (this->Level.Kind[point] != PolyhedralSurface::Internal)
+    {
+      return 0;
+    }
+    const double dA = (*this->Side.Distance)(this->Level.Points[point]);
+    if (ends)
+    {
+      return this->Options.EndCaps == PolyhedralOptions::Tapered ? this->Taper(dA) : 0;
+    }
+    const int askedBy = this->Level.AskedBy[point];
+    const bool asked = this->Options.LiftInternalPoints && (askedBy & this->Side.Towards) != 0;
+    if (!asked && !(askedBy & LevelTriangulation::Cover))
+    {
+      return 0;
+    }
+    const double dB = (*this->Side.OtherDistance)(this->Level.Points[point]);
+    return this->Side.Slab * dA / (dA + dB);
+  }
+
+  double Taper(double distance) const
+  {
+    return std::copysign(
+      std::min(std::abs(this->Side.EndSlab) / 2, TaperSlope * distance), this->Side.EndSlab);
+  }
+
+  const LiftSide& Side;
+  const PolyhedralOptions& Options;
+  const LevelTriangulation& Level;
+  VertexRegions Regions;
+};
+}
+
+std::vector<double> FindLiftTargets(const LiftSide& side, const PolyhedralOptions& options)
+{
+  return Targets(side, options).Find();
+}
+}

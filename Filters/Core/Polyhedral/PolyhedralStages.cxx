@@ -1,0 +1,407 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "PolyhedralStages.h"
+
+#include "../Parallel.h"
+#include "Lifting.h"
+#include "LiftTargets.h"
+#include "PlanarContourDistance.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <sstream>
+
+namespace recon
+{
+// TEMPORARY until ContourMapping.cxx lands
+__attribute__((weak)) ContourMapping BuildContourMapping(
+  const ContourSet&, const ContourMappingOptions&, Monitor&)
+{
+  throw Error("not yet");
+}
+namespace
+{
+/// Cover points change their level and the two slabs at it, which can lay others bare; after two
+/// rounds of them what is left are acute tips, which no point can cover.
+constexpr int Rounds = 3;
+
+/// The stages of the method in their order; every one is timed and takes its share of the progress
+/// bar.
+class Builder
+{
+public:
+  Builder(const ContourSet& contours, const PolyhedralOptions& options, Monitor& monitor,
+    double progressEnd)
+    : Contours(contours),
+      Options(options),
+      Observer(monitor),
+      ProgressEnd(progressEnd),
+      LevelCount(static_cast<int>(contours.Levels.size()))
+  {
+  }
+
+  PolyhedralStages Build()
+  {
+    this->MapContours();
+    this->TriangulateLevels();
+    this->Timed("insert internal points", [&] { this->InsertInternalPoints(); });
+    for (int i = 0; i < this->LevelCount; ++i)
+    {
+      this->Out.Levels.push_back({ &this->Out.Triangulations[i], this->Contours.Levels[i].Offset });
+    }
+    this->BuildSlabs();
+    this->ReportJoinsNotMade();
+    this->ReportContoursLeftOut();
+    return std::move(this->Out);
+  }
+
+private:
+  template <typename Work>
+  void Timed(const char* stage, Work work)
+  {
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+    for (auto& known : this->Out.StageSeconds)
+    {
+      if (known.first == stage)
+      {
+        known.second += elapsed.count();
+        return;
+      }
+    }
+    this->Out.StageSeconds.emplace_back(stage, elapsed.count());
+  }
+
+  /// body(i) for every level or slab on the threads that the user allows.
+  template <typename Body>
+  void ForAll(int count, double from, double to, const char* stage, Body body)
+  {
+    ParallelFor(count, this->Options.Threads, body, this->Observer,
+      { from * this->ProgressEnd, to * this->ProgressEnd, stage });
+  }
+
+  void MapContours()
+  {
+    this->Out.Joins.resize(this->LevelCount - 1);
+    const bool overlap = this->Options.Mapping == PolyhedralOptions::Overlap;
+    if (!overlap && this->Options.ForbiddenJoins.empty() && this->Options.ForcedJoins.empty() &&
+      this->Options.MaximumGap <= 0)
+    {
+      return;
+    }
+    ContourMappingOptions options;
+    options.OverlapThreshold = this->Options.OverlapThreshold;
+    options.ForcedJoins = this->Options.ForcedJoins;
+    options.ForbiddenJoins = this->Options.ForbiddenJoins;
+    options.MaximumGap = this->Options.MaximumGap;
+    options.Threads = this->Options.Threads;
+    this->Timed("map contours",
+      [&] { this->Out.Mapping = BuildContourMapping(this->Contours, options, this->Observer); });
+    this->Out.Report = this->Out.Mapping.Report;
+    for (auto& joins : this->Out.Joins)
+    {
+      joins.AllByDefault = !overlap;
+    }
+    for (const ContourJoin& join : this->Out.Mapping.Joins)
+    {
+      this->UseJoin(join, overlap);
+    }
+  }
+
+  void UseJoin(const ContourJoin& join, bool overlap)
+  {
+    SlabJoins& joins = this->Out.Joins[join.Slab];
+    joins.Bridged = joins.Bridged && join.Rule != ContourJoin::GapTooWide;
+    if (join.LowerRegion < 0 || join.UpperRegion < 0)
+    {
+      return;
+    }
+    const auto& lower = this->Out.Mapping.Regions[join.LowerRegion];
+    const auto& upper = this->Out.Mapping.Regions[join.UpperRegion];
+    const bool exception = overlap ? join.Joined : join.Rule == ContourJoin::Forbidden;
+    if (lower.Solid && upper.Solid && exception)
+    {
+      joins.Exceptions.insert({ lower.Wall, upper.Wall });
+    }
+  }
+
+  void TriangulateLevels()
+  {
+    this->Triangulators.resize(this->LevelCount);
+    this->Out.Triangulations.resize(this->LevelCount);
+    this->Timed("triangulate levels",
+      [&]
+      {
+        this->ForAll(this->LevelCount, 0, 0.3, "triangulating levels",
+          [&](int i)
+          { this->Triangulators[i] = std::make_unique<LevelTriangulator>(this->Contours, i); });
+      });
+  }
+
+  void InsertInternalPoints()
+  {
+    std::vector<std::vector<Point2>> skeletons(this->LevelCount);
+    if (this->Options.InternalPoints)
+    {
+      this->ForAll(this->LevelCount, 0.3, 0.35, "tracing Voronoi skeletons",
+        [&](int i) { skeletons[i] = this->Triangulators[i]->ExternalVoronoiVertices(); });
+    }
+    this->ForAll(this->LevelCount, 0.35, 0.5, "inserting internal points",
+      [&](int i)
+      {
+        auto& triangulator = *this->Triangulators[i];
+        if (i > 0)
+        {
+          triangulator.AddInternalPoints(skeletons[i - 1], LevelTriangulation::LevelBelow);
+        }
+        if (i + 1 < this->LevelCount)
+        {
+          triangulator.AddInternalPoints(skeletons[i + 1], LevelTriangulation::LevelAbove);
+        }
+        this->Out.Triangulations[i] = triangulator.Finish();
+      });
+  }
+
+  /// Tetrahedra and heights of all slabs, once more where points were added for ends and bare
+  /// parts.
+  void BuildSlabs()
+  {
+    this->Out.Slabs.resize(this->LevelCount - 1);
+    this->Out.Coverages.resize(this->LevelCount);
+    this->Out.Lifted.resize(this->LevelCount);
+    std::vector<unsigned char> changed(this->LevelCount, 1);
+    for (int round = 0; round < Rounds; ++round)
+    {
+      const double from = 0.5 + 0.5 * round / Rounds;
+      const double middle = from + 0.4 / Rounds;
+      const double to = from + 0.5 / Rounds;
+      this->Timed("join Voronoi diagrams",
+        [&]
+        {
+          this->ForAll(this->LevelCount - 1, from, middle, "joining Voronoi diagrams",
+            [&](int i) { this->BuildSlab(i, changed[i] || changed[i + 1]); });
+        });
+      this->Timed("lift internal points", [&] { this->LiftPoints(middle, to); });
+      if (round + 1 == Rounds || !this->AddPointsWhereNeeded(round, changed))
+      {
+        return;
+      }
+    }
+  }
+
+  void BuildSlab(int i, bool changed)
+  {
+    if (changed)
+    {
+      const auto& level1 = this->Out.Triangulations[i];
+      const auto& level2 = this->Out.Triangulations[i + 1];
+      this->Out.Slabs[i] = BuildJointVoronoi(level1, level2);
+      EliminateTetrahedra(level1, level2, this->Out.Joins[i], this->Out.Slabs[i]);
+    }
+  }
+
+  const SlabTetrahedra* SlabOrNull(int i) const
+  {
+    return i >= 0 && i + 1 < this->LevelCount ? &this->Out.Slabs[i] : nullptr;
+  }
+
+  void LiftPoints(double from, double to)
+  {
+    std::vector<std::unique_ptr<PlanarContourDistance>> distances(this->LevelCount);
+    this->ForAll(this->LevelCount, from, from, "lifting internal points",
+      [&](int i)
+      {
+        const auto& level = this->Out.Triangulations[i];
+        distances[i] = std::make_unique<PlanarContourDistance>(level);
+        this->Out.Coverages[i] = FindCoverage(level, this->SlabOrNull(i - 1), this->SlabOrNull(i));
+      });
+    const auto targets = [&](int level, int neighbour)
+    {
+      const int other = std::clamp(neighbour, 0, this->LevelCount - 1);
+      return FindLiftTargets(
+        this->SideOf(level, neighbour, *distances[level], *distances[other]), this->Options);
+    };
+    this->ForAll(this->LevelCount - 1, from, to, "lifting internal points",
+      [&](int i)
+      {
+        LiftInternalPoints(this->Out.Levels[i], this->Out.Levels[i + 1], this->Out.Slabs[i],
+          targets(i, i + 1), targets(i + 1, i), this->Out.Lifted[i], this->Out.Lifted[i + 1]);
+      });
+    // Beyond the first and the last level nothing is in the way.
+    this->Out.Lifted.front().Below = targets(0, -1);
+    this->Out.Lifted.back().Above = targets(this->LevelCount - 1, this->LevelCount);
+  }
+
+  LiftSide SideOf(int level, int neighbour, const PlanarContourDistance& distance,
+    const PlanarContourDistance& otherDistance) const
+  {
+    const int sign = neighbour > level ? 1 : -1;
+    const bool exists = neighbour >= 0 && neighbour < this->LevelCount;
+    LiftSide side;
+    side.Level = &this->Out.Levels[level];
+    side.Distance = &distance;
+    side.Covered = &this->Out.Coverages[level];
+    side.Towards = sign > 0 ? LevelTriangulation::LevelAbove : LevelTriangulation::LevelBelow;
+    side.OtherDistance = exists ? &otherDistance : nullptr;
+    side.Slab = exists ? this->Contours.Levels[neighbour].Offset - side.Level->Offset : 0;
+    side.EndSlab = sign *
+      this->ThicknessForCaps(exists ? std::min(level, neighbour) : (sign > 0 ? level - 1 : level));
+    return side;
+  }
+
+  /// Of the slab itself; of one that is a gap the median one, as half of it would be out of
+  /// proportion.
+  double ThicknessForCaps(int slab) const
+  {
+    const double own = this->Thickness(slab);
+    if (this->Out.Joins[slab].Bridged)
+    {
+      return own;
+    }
+    std::vector<double> all;
+    for (int i = 0; i + 1 < this->LevelCount; ++i)
+    {
+      all.push_back(this->Thickness(i));
+    }
+    std::nth_element(all.begin(), all.begin() + all.size() / 2, all.end());
+    return std::min(own, all[all.size() / 2]);
+  }
+
+  double Thickness(int slab) const
+  {
+    return this->Contours.Levels[slab + 1].Offset - this->Contours.Levels[slab].Offset;
+  }
+
+  /// Returns whether any level was changed, and which.
+  bool AddPointsWhereNeeded(int round, std::vector<unsigned char>& changed)
+  {
+    const bool taper = round == 0 && this->Options.EndCaps == PolyhedralOptions::Tapered;
+    const double from = 0.5 + 0.5 * (round + 1) / Rounds;
+    changed.assign(this->LevelCount, 0);
+    this->Timed("cap ends and cover bare parts",
+      [&]
+      {
+        this->ForAll(this->LevelCount, from, from, "covering bare parts",
+          [&](int i)
+          {
+            const auto& level = this->Out.Triangulations[i];
+            const auto& coverage = this->Out.Coverages[i];
+            const std::vector<Point2> bare = FindCoverPoints(level, coverage, this->Out.Lifted[i]);
+            const std::vector<Point2> caps =
+              taper ? FindEndCapPoints(level, coverage) : std::vector<Point2>();
+            if (bare.empty() && caps.empty())
+            {
+              return;
+            }
+            this->Triangulators[i]->AddInternalPoints(caps, LevelTriangulation::EndCap);
+            if (!bare.empty())
+            {
+              this->Triangulators[i]->AddCoverPoints(bare);
+            }
+            this->Out.Triangulations[i] = this->Triangulators[i]->Finish();
+            changed[i] = 1;
+          });
+      });
+    return std::count(changed.begin(), changed.end(), 1) > 0;
+  }
+
+  /// A join that was asked for and that no tetrahedron makes is reported, not ignored.
+  void ReportJoinsNotMade()
+  {
+    for (const ContourJoin& join : this->Out.Mapping.Joins)
+    {
+      if (join.Rule != ContourJoin::Forced || join.LowerRegion < 0 || join.UpperRegion < 0)
+      {
+        continue;
+      }
+      const int lower = this->Out.Mapping.Regions[join.LowerRegion].Wall;
+      const int upper = this->Out.Mapping.Regions[join.UpperRegion].Wall;
+      if (!this->IsMade(join.Slab, lower, upper))
+      {
+        std::ostringstream line;
+        line << "The join of contours " << lower << " and " << upper
+             << " was asked for but cannot be made: other contours lie between them, so that their "
+                "Voronoi regions do not meet.";
+        this->Out.Report.push_back(line.str());
+      }
+    }
+  }
+
+  bool IsMade(int slab, int lower, int upper) const
+  {
+    const auto& level1 = this->Out.Triangulations[slab];
+    const auto& level2 = this->Out.Triangulations[slab + 1];
+    const auto& tetrahedra = this->Out.Slabs[slab].Tetrahedra;
+    return std::any_of(tetrahedra.begin(), tetrahedra.end(),
+      [&](const auto& t)
+      {
+        return t.Reason == SlabTetrahedra::Kept && t.NodeType == SlabTetrahedra::T12 &&
+          RegionAtEdge(level1, t.Origin[0]) == lower && RegionAtEdge(level2, t.Origin[1]) == upper;
+      });
+  }
+
+  /// Contours of isolated regions are not part of the surface and are named.
+  void ReportContoursLeftOut()
+  {
+    if (this->Options.IsolatedContours == PolyhedralOptions::Extrude)
+    {
+      return;
+    }
+    std::vector<unsigned char> leftOut(this->Contours.Contours.size(), 0);
+    for (int i = 0; i < this->LevelCount; ++i)
+    {
+      const auto& level = this->Out.Triangulations[i];
+      for (std::size_t t = 0; t < level.Triangles.size(); ++t)
+      {
+        for (int contour : level.EdgeContour[t])
+        {
+          if (contour >= 0 && this->Out.Coverages[i].Isolated[t])
+          {
+            leftOut[contour] = 1;
+          }
+        }
+      }
+    }
+    for (std::size_t c = 0; c < leftOut.size(); ++c)
+    {
+      if (leftOut[c])
+      {
+        const Contour& contour = this->Contours.Contours[c];
+        std::ostringstream line;
+        line << "Contour " << c << " (level " << contour.Level << ", offset "
+             << this->Contours.Levels[contour.Level].Offset << ", " << contour.Points.size()
+             << " points): left out, as it is joined to no contour of the levels next to it; set "
+                "IsolatedContours to Extrude to keep it as a slice.";
+        this->Out.Report.push_back(line.str());
+      }
+    }
+  }
+
+  const ContourSet& Contours;
+  const PolyhedralOptions& Options;
+  Monitor& Observer;
+  double ProgressEnd;
+  int LevelCount;
+  std::vector<std::unique_ptr<LevelTriangulator>> Triangulators;
+  PolyhedralStages Out;
+};
+}
+
+PolyhedralStages BuildPolyhedralStages(const ContourSet& contours, const PolyhedralOptions& options,
+  Monitor& monitor, double progressEnd)
+{
+  if (!contours.Parallel)
+  {
+    throw Error(
+      "The contours lie in planes of several directions; the polyhedral surface needs parallel "
+      "planes. Use Implicit Surface for these.");
+  }
+  if (contours.Levels.size() < 2)
+  {
+    throw Error("The contours lie in one plane only; a solid needs at least two parallel levels.");
+  }
+  return Builder(contours, options, monitor, progressEnd).Build();
+}
+}

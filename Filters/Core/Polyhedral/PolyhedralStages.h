@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @file PolyhedralStages.h
+ * @brief Everything that the Polyhedral Surface Method computes before the surface is extracted.
+ *
+ * So that every stage can be looked at: triangulations with their Voronoi skeletons, tetrahedra
+ * with the reason why each is kept or not, heights of lifted points.
+ */
+#ifndef recon_PolyhedralStages_h
+#define recon_PolyhedralStages_h
+
+#include "../Contours/ContourMapping.h"
+#include "../Monitor.h"
+#include "Coverage.h"
+#include "JointVoronoi.h"
+#include "LevelGeometry.h"
+#include "PolyhedralSurface.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace recon
+{
+struct PolyhedralStages
+{
+  ContourMapping Mapping;
+  std::vector<SlabJoins> Joins;                   ///< by slab
+  std::vector<LevelTriangulation> Triangulations; ///< by level
+  std::vector<LevelGeometry> Levels;              ///< the same in their places
+  std::vector<SlabTetrahedra> Slabs;              ///< slab i lies between levels i and i + 1
+  std::vector<Coverage> Coverages;                ///< by level
+  std::vector<LiftedHeights> Lifted;              ///< by level
+  std::vector<std::string> Report;
+  std::vector<std::pair<std::string, double>> StageSeconds; ///< wall time by stage
+
+  PolyhedralStages() = default;
+  PolyhedralStages(PolyhedralStages&&) = default; // Levels point into Triangulations: no copies
+  PolyhedralStages& operator=(PolyhedralStages&&) = default;
+};
+
+/// @throws Error where the contours are not parallel or span fewer than two levels; Aborted.
+/// Progress runs from 0 to progressEnd.
+PolyhedralStages BuildPolyhedralStages(const ContourSet& contours, const PolyhedralOptions& options,
+  Monitor& monitor, double progressEnd = 1);
+}
+
+#endif

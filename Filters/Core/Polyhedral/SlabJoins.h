@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @file SlabJoins.h
+ * @brief Which regions of two adjacent levels may be joined by solid.
+ *
+ * Mapping groups are one more reason to drop a tetrahedron, not separate runs: the skins of two
+ * groups never cross, because all tetrahedra are of one complex.
+ */
+#ifndef recon_SlabJoins_h
+#define recon_SlabJoins_h
+
+#include <set>
+#include <utility>
+
+namespace recon
+{
+/// Regions are named by their outer wall's ContourId.
+struct SlabJoins
+{
+  bool Bridged = true;      ///< false: nothing joins the two levels (a gap)
+  bool AllByDefault = true; ///< whether pairs that Exceptions does not name are joined
+  std::set<std::pair<int, int>> Exceptions; ///< (region of level 1, region of level 2)
+
+  bool AreJoined(int region1, int region2) const
+  {
+    return this->Bridged &&
+      (this->AllByDefault != (this->Exceptions.count({ region1, region2 }) > 0));
+  }
+};
+}
+
+#endif
