@@ -74,8 +74,7 @@ Loop CheckedLoop(const LoopSoup& soup, int number, double tolerance)
         "); rotate the contours with the Transform filter first.");
     }
   }
-  while (
-    loop.Points.size() > 1 && soup.Points[loop.Points.back()] == soup.Points[loop.Points.front()])
+  if (loop.Points.size() > 1 && soup.Points[loop.Points.back()] == soup.Points[loop.Points.front()])
   {
     loop.Points.pop_back();
   }
