@@ -6,8 +6,9 @@
  * Notation (thesis 3.1 to 3.3):
  *   SR, NSR        solid and non-solid regions of a level: a wall with the walls directly inside it
  *   mg, MG         mapping group: regions of two adjacent levels whose projections overlap; all of
- * them Phi            the empty region, partner of a region without any threshold      share of the
- * smaller region's area that two regions must have in common
+ *                  them
+ *   Phi            the empty region, partner of a region that has no other
+ *   threshold      share of the smaller region's area that two regions must have in common
  */
 #ifndef recon_ContourMapping_h
 #define recon_ContourMapping_h
@@ -31,7 +32,8 @@ struct ContourMappingOptions
   /// Pairs of contours whose regions are not joined whatever the overlap; forbidding wins over
   /// forcing.
   std::vector<std::pair<int, int>> ForbiddenJoins;
-  /// Slabs thicker than this many times the median spacing are not bridged; 0 = every slab is.
+  /// Slabs thicker than this many times the median spacing are not bridged, but where a join is
+  /// forced; 0 = every slab is. (The lower median, so that one gap between two slices counts.)
   double MaximumGap = 0;
   int Threads = 0;
 };
@@ -66,6 +68,7 @@ struct ContourJoin
   double LowerRatio = 0;  ///< OverlapArea / area of the lower region
   double UpperRatio = 0;
   RuleType Rule = ByOverlap;
+  int InternalWallRule = 0; ///< 1, 2 or 3 of 3.3.1 where Rule is InternalWall
   bool Joined = false;
   std::string Words; ///< one sentence that a physicist reads
 };
@@ -81,15 +84,24 @@ struct MappingGroup
 struct ContourMapping
 {
   std::vector<ContourRegion> Regions;
-  std::vector<int>
-    RegionInside; ///< of every contour: the region directly inside it (whose Wall it is)
+  /// Of every contour: the region directly inside it (whose Wall it is).
+  std::vector<int> RegionInside;
+  /// By slab; in a slab solid pairs, non-solid pairs, then what is mapped to Phi.
   std::vector<ContourJoin> Joins;
+  /// By slab; every contour is in at most one group of the slab below it, and of that above.
   std::vector<MappingGroup> Groups;
-  std::vector<std::string>
-    Report; ///< overrides that name contours which are not on adjacent levels
+  /// A sentence for every override that cannot be followed, and why.
+  std::vector<std::string> Report;
 };
 
-/// @throws Error where the set is not Parallel; Aborted.
+/**
+ * Overlaps, decisions, groups and their filters (thesis 3.2, 3.3).
+ *
+ * An override names two contours of adjacent levels, both outer walls (the solid regions inside
+ * them are meant) or both walls of holes (the holes are meant).
+ *
+ * @throws Error where the set is not Parallel or an option is out of range; Aborted.
+ */
 ContourMapping BuildContourMapping(
   const ContourSet& contours, const ContourMappingOptions& options, Monitor& monitor);
 }

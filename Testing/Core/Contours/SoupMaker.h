@@ -8,6 +8,7 @@
 
 #include "Contours/ContourSetBuilder.h"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <utility>

@@ -1,0 +1,333 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ContourMapping.h"
+
+#include "../Parallel.h"
+#include "ContourNotes.h"
+#include "JoinOverrides.h"
+#include "JoinWords.h"
+#include "MappingGroups.h"
+#include "RegionOverlaps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <map>
+#include <numeric>
+#include <utility>
+
+namespace recon
+{
+namespace
+{
+std::size_t Index(int i)
+{
+  return static_cast<std::size_t>(i);
+}
+
+/// Overlaps below this part of the smaller region are rounding of a common border.
+constexpr double Negligible = 1e-12;
+
+void Validate(const ContourSet& contours, const ContourMappingOptions& options)
+{
+  if (!contours.Parallel)
+  {
+    throw Error("The contours lie in planes that are not parallel, so no level is above another: "
+                "give contours of parallel planes.");
+  }
+  if (!(options.OverlapThreshold >= 0 && options.OverlapThreshold <= 1))
+  {
+    throw Error("The overlap threshold is a share of an area: give a number from 0 to 1 instead "
+                "of " +
+      ShortNumber(options.OverlapThreshold) + ".");
+  }
+  if (!(options.MaximumGap >= 0 && std::isfinite(options.MaximumGap)))
+  {
+    throw Error("The maximum gap is a multiple of the slice spacing: give 0 (no limit) or a "
+                "positive number instead of " +
+      ShortNumber(options.MaximumGap) + ".");
+  }
+}
+
+/// SR and NSR (3.1): region i is the one inside contour i.
+std::vector<ContourRegion> MakeRegions(const ContourSet& contours)
+{
+  std::vector<ContourRegion> regions(contours.Contours.size());
+  for (std::size_t c = 0; c < regions.size(); ++c)
+  {
+    const Contour& contour = contours.Contours[c];
+    ContourRegion& region = regions[c];
+    region.Level = contour.Level;
+    region.Wall = static_cast<int>(c);
+    region.Solid = contour.Depth % 2 == 0;
+    region.Area += std::abs(contour.SignedArea);
+    if (contour.Parent >= 0)
+    {
+      ContourRegion& around = regions[Index(contour.Parent)];
+      around.Holes.push_back(static_cast<int>(c));
+      around.Area -= std::abs(contour.SignedArea);
+    }
+  }
+  return regions;
+}
+
+/// Thickness of the slabs.
+struct Spacing
+{
+  std::vector<double> Gaps;
+  double Median = 0;
+
+  explicit Spacing(const ContourSet& contours)
+  {
+    for (std::size_t l = 1; l < contours.Levels.size(); ++l)
+    {
+      this->Gaps.push_back(contours.Levels[l].Offset - contours.Levels[l - 1].Offset);
+    }
+    if (this->Gaps.empty())
+    {
+      return;
+    }
+    std::vector<double> sorted = this->Gaps;
+    std::sort(sorted.begin(), sorted.end());
+    this->Median = sorted[(sorted.size() - 1) / 2];
+  }
+
+  bool IsTooWide(std::size_t slab, double maximum) const
+  {
+    // A gap of exactly so many spacings is bridged, also where offsets are rounded decimals.
+    return maximum > 0 && this->Gaps[slab] > maximum * this->Median * (1 + 1e-9);
+  }
+};
+
+/// All decisions of one slab.
+class SlabMapper
+{
+public:
+  SlabMapper(const ContourSet& contours, const ContourMappingOptions& options,
+    const ContourMapping& mapping, const Spacing& spacing, const JoinOverrides& overrides, int slab)
+    : Contours(contours),
+      Mapping(mapping),
+      Overrides(overrides.OfSlab[Index(slab)]),
+      Slab(slab)
+  {
+    this->Context.Threshold = options.OverlapThreshold;
+    this->Context.Gap = spacing.Gaps[Index(slab)];
+    this->Context.Spacing = spacing.Median;
+    this->Context.MaximumGap = options.MaximumGap;
+    this->Context.TooWide = spacing.IsTooWide(Index(slab), options.MaximumGap);
+  }
+
+  void Map()
+  {
+    this->MeasureOverlaps();
+    // Holes come second, because rule 1 asks whether the walls around them are joined.
+    this->DecidePairs(true);
+    this->DecidePairs(false);
+    this->MapRestToPhi(this->Slab);
+    this->MapRestToPhi(this->Slab + 1);
+  }
+
+  std::vector<ContourJoin> Joins;
+  std::vector<std::string> Report;
+
+private:
+  using Pair = std::pair<int, int>;
+
+  const ContourRegion& RegionAt(int r) const { return this->Mapping.Regions[Index(r)]; }
+
+  /// Pairs that overlap or are overridden, and how much of every hole faces solid.
+  void MeasureOverlaps()
+  {
+    const Level& lower = this->Contours.Levels[Index(this->Slab)];
+    const Level& upper = this->Contours.Levels[Index(this->Slab) + 1];
+    for (const RegionOverlap& overlap : MeasureRegionOverlaps(this->Contours, lower, upper))
+    {
+      const ContourRegion& below = this->RegionAt(overlap.LowerContour);
+      const ContourRegion& above = this->RegionAt(overlap.UpperContour);
+      if (overlap.Area <= Negligible * std::min(below.Area, above.Area))
+      {
+        continue;
+      }
+      if (below.Solid == above.Solid)
+      {
+        this->Areas[{ overlap.LowerContour, overlap.UpperContour }] = overlap.Area;
+      }
+      else
+      {
+        const int hole = below.Solid ? overlap.UpperContour : overlap.LowerContour;
+        this->FacingSolid[hole] += overlap.Area;
+      }
+    }
+    for (const auto& entry : this->Overrides)
+    {
+      this->Areas.emplace(entry.first, 0.0);
+    }
+  }
+
+  void DecidePairs(bool solid)
+  {
+    for (const auto& [pair, area] : this->Areas)
+    {
+      if (this->RegionAt(pair.first).Solid == solid)
+      {
+        this->DecidePair(pair, area);
+      }
+    }
+  }
+
+  void DecidePair(const Pair& pair, double area)
+  {
+    ContourJoin join;
+    join.Slab = this->Slab;
+    join.LowerRegion = pair.first;
+    join.UpperRegion = pair.second;
+    join.OverlapArea = area;
+    join.LowerRatio = RatioOf(area, this->RegionAt(pair.first));
+    join.UpperRatio = RatioOf(area, this->RegionAt(pair.second));
+    this->Decide(join);
+    join.Words = DescribeJoin(this->Contours, this->Mapping, join, this->Context);
+    if (join.Rule == ContourJoin::InternalWall && this->Overrides.count(pair) > 0)
+    {
+      this->Report.push_back("The forced join of contours " + std::to_string(pair.first) + " and " +
+        std::to_string(pair.second) +
+        " was left aside: they are holes, and the walls around them are not joined; force that "
+        "join, too.");
+    }
+    if (join.Joined)
+    {
+      this->Joined[pair.first] = this->Joined[pair.second] = true;
+      this->JoinedPairs[pair] = true;
+    }
+    this->Joins.push_back(std::move(join));
+  }
+
+  /// Where the areas are equal but for rounding, a share is 1 and not a bit more.
+  static double RatioOf(double area, const ContourRegion& region)
+  {
+    return region.Area > 0 ? std::min(1.0, area / region.Area) : 0;
+  }
+
+  void Decide(ContourJoin& join) const
+  {
+    const auto wanted = this->Overrides.find({ join.LowerRegion, join.UpperRegion });
+    if (wanted != this->Overrides.end())
+    {
+      join.Rule = wanted->second ? ContourJoin::Forced : ContourJoin::Forbidden;
+      join.Joined = wanted->second;
+    }
+    else if (this->Context.TooWide)
+    {
+      join.Rule = ContourJoin::GapTooWide;
+    }
+    else
+    {
+      join.Joined = std::max(join.LowerRatio, join.UpperRatio) > this->Context.Threshold;
+    }
+    if (join.Joined && !this->AreWallsAroundJoined(join))
+    {
+      join.Joined = false;
+      join.Rule = ContourJoin::InternalWall;
+      join.InternalWallRule = 1;
+    }
+  }
+
+  /// Rule 1 of 3.3.1; a solid region asks for nothing.
+  bool AreWallsAroundJoined(const ContourJoin& join) const
+  {
+    if (this->RegionAt(join.LowerRegion).Solid)
+    {
+      return true;
+    }
+    const Pair around{ this->Contours.Contours[Index(join.LowerRegion)].Parent,
+      this->Contours.Contours[Index(join.UpperRegion)].Parent };
+    return this->JoinedPairs.count(around) > 0;
+  }
+
+  void MapRestToPhi(int level)
+  {
+    for (int region : this->Contours.Levels[Index(level)].Contours)
+    {
+      if (this->Joined.count(region) > 0)
+      {
+        continue;
+      }
+      ContourJoin join;
+      join.Slab = this->Slab;
+      (level == this->Slab ? join.LowerRegion : join.UpperRegion) = region;
+      join.Rule = ContourJoin::NoPartner;
+      JoinContext context = this->Context;
+      if (!this->RegionAt(region).Solid && !context.TooWide)
+      {
+        this->ApplyRulesTwoAndThree(region, join, context);
+      }
+      join.Words = DescribeJoin(this->Contours, this->Mapping, join, context);
+      this->Joins.push_back(std::move(join));
+    }
+  }
+
+  /**
+   * Rules 2 and 3 of 3.3.1, for the hole itself (without islands in it) against all solid of the
+   * other level: its outer walls cannot each cover the hole, and what is inside their own holes
+   * covers nothing.
+   */
+  void ApplyRulesTwoAndThree(int hole, ContourJoin& join, JoinContext& context) const
+  {
+    const auto facing = this->FacingSolid.find(hole);
+    const double area = facing == this->FacingSolid.end() ? 0.0 : facing->second;
+    context.FacingSolid = RatioOf(area, this->RegionAt(hole));
+    // With a threshold of a half and more both rules could apply; facing solid is the stronger.
+    if (context.FacingSolid >= 1 - context.Threshold)
+    {
+      join.InternalWallRule = 2;
+    }
+    else if (context.FacingSolid <= context.Threshold)
+    {
+      join.InternalWallRule = 3;
+    }
+    join.Rule = join.InternalWallRule > 0 ? ContourJoin::InternalWall : ContourJoin::NoPartner;
+  }
+
+  const ContourSet& Contours;
+  const ContourMapping& Mapping;
+  const JoinOverrides::Pairs& Overrides;
+  int Slab;
+  JoinContext Context;
+  std::map<Pair, double> Areas;
+  std::map<int, double> FacingSolid; ///< of holes
+  std::map<int, bool> Joined;
+  std::map<Pair, bool> JoinedPairs;
+};
+}
+
+ContourMapping BuildContourMapping(
+  const ContourSet& contours, const ContourMappingOptions& options, Monitor& monitor)
+{
+  Validate(contours, options);
+  ContourMapping mapping;
+  mapping.Regions = MakeRegions(contours);
+  mapping.RegionInside.resize(contours.Contours.size());
+  std::iota(mapping.RegionInside.begin(), mapping.RegionInside.end(), 0);
+  JoinOverrides overrides = ResolveOverrides(contours, options);
+  mapping.Report = std::move(overrides.Report);
+
+  const Spacing spacing(contours);
+  std::vector<SlabMapper> mappers;
+  for (std::size_t slab = 0; slab < overrides.OfSlab.size(); ++slab)
+  {
+    mappers.emplace_back(contours, options, mapping, spacing, overrides, static_cast<int>(slab));
+  }
+  ParallelFor(static_cast<int>(mappers.size()), options.Threads,
+    [&mappers](int slab) { mappers[Index(slab)].Map(); }, monitor,
+    { 0.0, 0.95, "mapping regions" });
+  for (SlabMapper& mapper : mappers)
+  {
+    std::move(mapper.Joins.begin(), mapper.Joins.end(), std::back_inserter(mapping.Joins));
+    std::move(mapper.Report.begin(), mapper.Report.end(), std::back_inserter(mapping.Report));
+  }
+  monitor.Update(0.95, "grouping regions");
+  mapping.Groups = FilterRedundantGroups(
+    FilterInternalWalls(FormMappingGroups(mapping, contours), mapping), contours);
+  monitor.Update(1, "grouping regions");
+  return mapping;
+}
+}
