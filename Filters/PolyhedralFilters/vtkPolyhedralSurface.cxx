@@ -16,6 +16,14 @@ vtkStandardNewMacro(vtkPolyhedralSurface);
 
 namespace
 {
+void AddDouble(vtkFieldData* data, const char* name, double value)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->InsertNextValue(value);
+  data->AddArray(array);
+}
+
 void AddStages(const std::vector<std::pair<std::string, double>>& stages, vtkFieldData* data)
 {
   vtkNew<vtkStringArray> names;
@@ -43,11 +51,41 @@ void FillOutput(vtkPolyData* input, const recon::ContourSet& contours,
   recon::AddLevels(contours, output->GetFieldData());
   recon::AddIntArray(
     output->GetFieldData(), "ContourCount", std::vector<std::size_t>{ contours.Contours.size() });
+  AddDouble(output->GetFieldData(), "EndCapVolume", surface.EndCapVolume);
+  AddDouble(output->GetFieldData(), "IsolatedVolume", surface.IsolatedVolume);
   AddStages(surface.StageSeconds, output->GetFieldData());
   std::vector<std::string> report = contours.Report;
   report.insert(report.end(), surface.Report.begin(), surface.Report.end());
   recon::SetReport(report, output);
 }
+}
+
+//------------------------------------------------------------------------------
+void vtkPolyhedralSurface::AddForcedJoin(int contour, int otherContour)
+{
+  this->ForcedJoins.emplace_back(contour, otherContour);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkPolyhedralSurface::RemoveAllForcedJoins()
+{
+  this->ForcedJoins.clear();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkPolyhedralSurface::AddForbiddenJoin(int contour, int otherContour)
+{
+  this->ForbiddenJoins.emplace_back(contour, otherContour);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkPolyhedralSurface::RemoveAllForbiddenJoins()
+{
+  this->ForbiddenJoins.clear();
+  this->Modified();
 }
 
 //------------------------------------------------------------------------------
@@ -74,6 +112,14 @@ int vtkPolyhedralSurface::RequestData(
     recon::PolyhedralOptions options;
     options.InternalPoints = this->InternalPoints;
     options.LiftInternalPoints = this->LiftInternalPoints;
+    options.Mapping = static_cast<recon::PolyhedralOptions::MappingType>(this->Mapping);
+    options.OverlapThreshold = this->OverlapThreshold;
+    options.ForcedJoins = this->ForcedJoins;
+    options.ForbiddenJoins = this->ForbiddenJoins;
+    options.MaximumGap = this->MaximumGap;
+    options.EndCaps = static_cast<recon::PolyhedralOptions::EndCapsType>(this->EndCaps);
+    options.IsolatedContours =
+      static_cast<recon::PolyhedralOptions::IsolatedContoursType>(this->IsolatedContours);
     options.Threads = this->Threads;
     vtkContourMonitor building(this, 0.1, 1.0);
     FillOutput(input, contours, recon::BuildPolyhedralSurface(contours, options, building), output);
@@ -97,5 +143,12 @@ void vtkPolyhedralSurface::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "InternalPoints: " << this->InternalPoints << '\n'
      << indent << "LiftInternalPoints: " << this->LiftInternalPoints << '\n'
+     << indent << "Mapping: " << this->Mapping << '\n'
+     << indent << "OverlapThreshold: " << this->OverlapThreshold << '\n'
+     << indent << "ForcedJoins: " << this->ForcedJoins.size() << '\n'
+     << indent << "ForbiddenJoins: " << this->ForbiddenJoins.size() << '\n'
+     << indent << "MaximumGap: " << this->MaximumGap << '\n'
+     << indent << "EndCaps: " << this->EndCaps << '\n'
+     << indent << "IsolatedContours: " << this->IsolatedContours << '\n'
      << indent << "Threads: " << this->Threads << '\n';
 }

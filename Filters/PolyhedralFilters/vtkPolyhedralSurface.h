@@ -14,7 +14,8 @@
  * `MappingGroup`;
  * - point array: `PointKind` (0 input vertex, 1 added on a contour edge, 2 internal);
  * - field data: `Report` (a line for every contour repaired or left out, and why), `LevelNormal`,
- *   `LevelOffset` (a value a level), `ContourCount`, `StageName` and `StageSeconds` (wall time).
+ *   `LevelOffset` (a value a level), `ContourCount`, `EndCapVolume`, `IsolatedVolume`, `StageName`
+ * and `StageSeconds` (wall time).
  *
  * Errors (a sentence through vtkErrorMacro, and no output): no usable contour; contours on one
  * plane only.
@@ -26,6 +27,9 @@
 
 #include "PolyhedralFiltersModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
+
+#include <utility>
+#include <vector>
 
 class POLYHEDRALFILTERS_EXPORT vtkPolyhedralSurface : public vtkPolyDataAlgorithm
 {
@@ -54,6 +58,78 @@ public:
   vtkBooleanMacro(LiftInternalPoints, bool);
   ///@}
 
+  enum MappingMode
+  {
+    Proximity = 0,
+    Overlap = 1
+  };
+  enum EndCapMode
+  {
+    Flat = 0,
+    HalfSlice = 1,
+    Tapered = 2,
+    NoCaps = 3
+  };
+  enum IsolatedContourMode
+  {
+    Drop = 0,
+    Extrude = 1
+  };
+
+  ///@{
+  /**
+   * Which contours of adjacent levels may be joined: Proximity, the default, lets the Voronoi
+   * diagrams alone decide (thesis chapter 5); Overlap joins only regions that share more than
+   * OverlapThreshold of the smaller one's area (thesis chapter 3).
+   */
+  vtkSetClampMacro(Mapping, int, Proximity, Overlap);
+  vtkGetMacro(Mapping, int);
+  ///@}
+
+  ///@{
+  /// With Mapping Overlap: the share of the smaller region that two must have in common. Default
+  /// 0.1.
+  vtkSetClampMacro(OverlapThreshold, double, 0.0, 0.999999);
+  vtkGetMacro(OverlapThreshold, double);
+  ///@}
+
+  ///@{
+  /**
+   * Pairs of contours on adjacent levels (by the ContourId of vtkContourHierarchy) whose regions
+   * are joined, or not joined, whatever the mapping says. Forbidding wins over forcing.
+   */
+  void AddForcedJoin(int contour, int otherContour);
+  void RemoveAllForcedJoins();
+  void AddForbiddenJoin(int contour, int otherContour);
+  void RemoveAllForbiddenJoins();
+  ///@}
+
+  ///@{
+  /// Levels further apart than this many times the median spacing are not joined; 0, the default:
+  /// all are.
+  vtkSetClampMacro(MaximumGap, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MaximumGap, double);
+  ///@}
+
+  ///@{
+  /**
+   * How the surface ends above a contour that has no partner: Flat in its plane (default),
+   * HalfSlice straight on, Tapered, or NoCaps, open. The volume that the caps add is in the field
+   * data `EndCapVolume`.
+   */
+  vtkSetClampMacro(EndCaps, int, Flat, NoCaps);
+  vtkGetMacro(EndCaps, int);
+  ///@}
+
+  ///@{
+  /**
+   * A contour without partner on both sides: Drop (default; a line in `Report`) or Extrude by half
+   * a slice each way (`IsolatedVolume`).
+   */
+  vtkSetClampMacro(IsolatedContours, int, Drop, Extrude);
+  vtkGetMacro(IsolatedContours, int);
+  ///@}
+
   ///@{
   /// Number of threads; 0, the default, takes all of the machine. The result does not depend on it.
   vtkSetClampMacro(Threads, int, 0, 1024);
@@ -73,6 +149,13 @@ private:
 
   bool InternalPoints = true;
   bool LiftInternalPoints = true;
+  int Mapping = Proximity;
+  double OverlapThreshold = 0.1;
+  std::vector<std::pair<int, int>> ForcedJoins;
+  std::vector<std::pair<int, int>> ForbiddenJoins;
+  double MaximumGap = 0.0;
+  int EndCaps = Flat;
+  int IsolatedContours = Drop;
   int Threads = 0;
 };
 

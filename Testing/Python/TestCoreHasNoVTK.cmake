@@ -1,0 +1,20 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The core must stay usable without VTK: no file of Filters/Core, and none of the parsers, may include its headers.
+# Run as: cmake -DSOURCE=<source dir> -P TestCoreHasNoVTK.cmake
+file(GLOB_RECURSE sources "${SOURCE}/Filters/Core/*.h" "${SOURCE}/Filters/Core/*.cxx")
+list(LENGTH sources count)
+if (count LESS 10)
+  message(FATAL_ERROR "Only ${count} files in Filters/Core: this test looks in the wrong place.")
+endif ()
+set(guilty)
+foreach (source IN LISTS sources)
+  file(STRINGS "${source}" lines REGEX "#[ \t]*include[ \t]*[<\"](.*/)?vtk")
+  if (lines)
+    list(APPEND guilty "${source}: ${lines}")
+  endif ()
+endforeach ()
+if (guilty)
+  list(JOIN guilty "\n" guilty)
+  message(FATAL_ERROR "VTK headers in the core:\n${guilty}")
+endif ()
+message(STATUS "${count} files, none includes VTK.")
