@@ -14,12 +14,6 @@
 
 namespace recon
 {
-// TEMPORARY until ContourMapping.cxx lands
-__attribute__((weak)) ContourMapping BuildContourMapping(
-  const ContourSet&, const ContourMappingOptions&, Monitor&)
-{
-  throw Error("not yet");
-}
 namespace
 {
 /// Cover points change their level and the two slabs at it, which can lay others bare; after two
@@ -100,27 +94,28 @@ private:
     this->Timed("map contours",
       [&] { this->Out.Mapping = BuildContourMapping(this->Contours, options, this->Observer); });
     this->Out.Report = this->Out.Mapping.Report;
-    for (auto& joins : this->Out.Joins)
+    for (int i = 0; i + 1 < this->LevelCount; ++i)
     {
-      joins.AllByDefault = !overlap;
+      this->Out.Joins[i].IsGap = this->Options.MaximumGap > 0 &&
+        this->Thickness(i) > this->Options.MaximumGap * this->MedianThickness();
+      this->Out.Joins[i].AllByDefault = !overlap && !this->Out.Joins[i].IsGap;
     }
     for (const ContourJoin& join : this->Out.Mapping.Joins)
     {
-      this->UseJoin(join, overlap);
+      this->UseJoin(join);
     }
   }
 
-  void UseJoin(const ContourJoin& join, bool overlap)
+  void UseJoin(const ContourJoin& join)
   {
-    SlabJoins& joins = this->Out.Joins[join.Slab];
-    joins.Bridged = joins.Bridged && join.Rule != ContourJoin::GapTooWide;
     if (join.LowerRegion < 0 || join.UpperRegion < 0)
     {
       return;
     }
     const auto& lower = this->Out.Mapping.Regions[join.LowerRegion];
     const auto& upper = this->Out.Mapping.Regions[join.UpperRegion];
-    const bool exception = overlap ? join.Joined : join.Rule == ContourJoin::Forbidden;
+    SlabJoins& joins = this->Out.Joins[join.Slab];
+    const bool exception = joins.AllByDefault ? join.Rule == ContourJoin::Forbidden : join.Joined;
     if (lower.Solid && upper.Solid && exception)
     {
       joins.Exceptions.insert({ lower.Wall, upper.Wall });
@@ -255,18 +250,20 @@ private:
   /// proportion.
   double ThicknessForCaps(int slab) const
   {
-    const double own = this->Thickness(slab);
-    if (this->Out.Joins[slab].Bridged)
-    {
-      return own;
-    }
+    return this->Out.Joins[slab].IsGap ? this->MedianThickness() : this->Thickness(slab);
+  }
+
+  /// The lower median, so that one gap between two slices counts.
+  double MedianThickness() const
+  {
     std::vector<double> all;
     for (int i = 0; i + 1 < this->LevelCount; ++i)
     {
       all.push_back(this->Thickness(i));
     }
-    std::nth_element(all.begin(), all.begin() + all.size() / 2, all.end());
-    return std::min(own, all[all.size() / 2]);
+    const auto median = all.begin() + (all.size() - 1) / 2;
+    std::nth_element(all.begin(), median, all.end());
+    return *median;
   }
 
   double Thickness(int slab) const

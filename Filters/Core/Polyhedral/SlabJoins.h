@@ -17,14 +17,13 @@ namespace recon
 /// Regions are named by their outer wall's ContourId.
 struct SlabJoins
 {
-  bool Bridged = true;      ///< false: nothing joins the two levels (a gap)
+  bool IsGap = false;       ///< wider than MaximumGap allows: only forced joins bridge it
   bool AllByDefault = true; ///< whether pairs that Exceptions does not name are joined
   std::set<std::pair<int, int>> Exceptions; ///< (region of level 1, region of level 2)
 
   bool AreJoined(int region1, int region2) const
   {
-    return this->Bridged &&
-      (this->AllByDefault != (this->Exceptions.count({ region1, region2 }) > 0));
+    return this->AllByDefault != (this->Exceptions.count({ region1, region2 }) > 0);
   }
 };
 }
