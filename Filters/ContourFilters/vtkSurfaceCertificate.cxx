@@ -224,13 +224,12 @@ Block CertifyBlock(const recon::NamedPolyData& input, vtkPolyData* contours,
   return block;
 }
 
-/// Rows are appended; columns are made by the first of them.
+/// Rows are appended to columns that the first of them makes; a table takes whole columns only.
 class TableWriter
 {
 public:
-  TableWriter(vtkTable* table, bool withBlocks, bool withContours)
-    : Table(table),
-      WithBlocks(withBlocks),
+  TableWriter(bool withBlocks, bool withContours)
+    : WithBlocks(withBlocks),
       WithContours(withContours)
   {
   }
@@ -244,6 +243,14 @@ public:
       this->AddRow(name, std::to_string(c), block.Certificate.Components[c], none);
     }
     this->AddRow(name, "Total", block.Certificate.Total, block.Certificate);
+  }
+
+  void WriteTo(vtkTable* table) const
+  {
+    for (const auto& column : this->Columns)
+    {
+      table->AddColumn(column);
+    }
   }
 
 private:
@@ -262,37 +269,41 @@ private:
     }
   }
 
-  void AddText(const char* column, const std::string& text)
+  vtkAbstractArray* Find(const std::string& name) const
   {
-    auto* array = vtkStringArray::SafeDownCast(this->Table->GetColumnByName(column));
-    if (!array)
+    const auto column = std::find_if(this->Columns.begin(), this->Columns.end(),
+      [&](vtkAbstractArray* array) { return array->GetName() == name; });
+    return column == this->Columns.end() ? nullptr : column->Get();
+  }
+
+  void Append(const std::string& name, vtkAbstractArray* column)
+  {
+    column->SetName(name.c_str());
+    this->Columns.emplace_back(column);
+  }
+
+  void AddText(const char* name, const std::string& text)
+  {
+    if (!this->Find(name))
     {
-      vtkNew<vtkStringArray> added;
-      added->SetName(column);
-      this->Table->AddColumn(added);
-      array = added;
+      this->Append(name, vtkNew<vtkStringArray>());
     }
-    array->InsertNextValue(text);
+    vtkStringArray::SafeDownCast(this->Find(name))->InsertNextValue(text);
   }
 
   void AddNumbers(const std::vector<recon::CertificateFigure>& figures)
   {
     for (const auto& figure : figures)
     {
-      vtkDataArray* array =
-        vtkDataArray::SafeDownCast(this->Table->GetColumnByName(figure.Name.c_str()));
-      if (!array)
+      if (!this->Find(figure.Name))
       {
-        const auto added = MakeArrayFor(figure);
-        added->SetName(figure.Name.c_str());
-        this->Table->AddColumn(added);
-        array = added;
+        this->Append(figure.Name, MakeArrayFor(figure));
       }
-      array->InsertNextTuple1(ValueOf(figure));
+      vtkDataArray::SafeDownCast(this->Find(figure.Name))->InsertNextTuple1(ValueOf(figure));
     }
   }
 
-  vtkTable* Table;
+  std::vector<vtkSmartPointer<vtkAbstractArray>> Columns;
   bool WithBlocks;
   bool WithContours;
 };
@@ -402,7 +413,7 @@ int vtkSurfaceCertificate::RequestData(
     recon::CertificateOptions options;
     options.Weld = this->Weld;
     options.Threads = this->Threads;
-    TableWriter writer(table, !vtkPolyData::SafeDownCast(input), contours != nullptr);
+    TableWriter writer(!vtkPolyData::SafeDownCast(input), contours != nullptr);
     std::vector<Block> blocks;
     for (std::size_t s = 0; s < surfaces.size(); ++s)
     {
@@ -412,6 +423,7 @@ int vtkSurfaceCertificate::RequestData(
       writer.Add(blocks.back(), static_cast<int>(s));
     }
     FillOutput(input, blocks, output);
+    writer.WriteTo(table);
     return 1;
   }
   catch (const recon::Aborted&)
