@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ContourResampling.h"
+
+#include "PlanarEdges.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace recon
+{
+namespace
+{
+double Distance(const Point2& a, const Point2& b)
+{
+  return std::hypot(a[0] - b[0], a[1] - b[1]);
+}
+
+double SignedAreaOf(const ContourSet& set, const std::vector<int>& points)
+{
+  const Point2& o = set.Planar[points.front()];
+  double twice = 0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    const Point2& a = set.Planar[points[i]];
+    const Point2& b = set.Planar[points[(i + 1) % points.size()]];
+    twice += (a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0]);
+  }
+  return 0.5 * twice;
+}
+
+/// Appends the point at fraction t of the way from point a to point b; returns its index.
+int AppendBetween(ContourSet& set, int a, int b, double t)
+{
+  const auto blend = [t](const auto& p, const auto& q)
+  {
+    auto r = p;
+    for (std::size_t k = 0; k < r.size(); ++k)
+    {
+      r[k] = (1 - t) * p[k] + t * q[k];
+    }
+    return r;
+  };
+  const Point3 space = blend(set.Points[a], set.Points[b]);
+  const Point2 plane = blend(set.Planar[a], set.Planar[b]);
+  set.Points.push_back(space);
+  set.Planar.push_back(plane);
+  return static_cast<int>(set.Points.size()) - 1;
+}
+
+/// The first point stays; the others stand at equal distances along the contour.
+std::vector<int> Even(ContourSet& set, const std::vector<int>& points, double spacing)
+{
+  const std::size_t n = points.size();
+  std::vector<double> along(n + 1, 0.0);
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    along[i + 1] = along[i] + Distance(set.Planar[points[i]], set.Planar[points[(i + 1) % n]]);
+  }
+  const int count = std::max(MinimumPoints, static_cast<int>(std::lround(along[n] / spacing)));
+  std::vector<int> even{ points.front() };
+  std::size_t edge = 0;
+  for (int k = 1; k < count; ++k)
+  {
+    const double at = along[n] * k / count;
+    while (edge + 1 < n && along[edge + 1] <= at)
+    {
+      ++edge;
+    }
+    const double t = (at - along[edge]) / (along[edge + 1] - along[edge]);
+    const int next = points[(edge + 1) % n];
+    even.push_back(t <= 0 ? points[edge] : AppendBetween(set, points[edge], next, t));
+  }
+  return even;
+}
+
+double DistanceToChord(const Point2& p, const Point2& a, const Point2& b)
+{
+  const double ux = b[0] - a[0];
+  const double uy = b[1] - a[1];
+  const double length2 = ux * ux + uy * uy;
+  const double along = length2 > 0 ? ((p[0] - a[0]) * ux + (p[1] - a[1]) * uy) / length2 : 0.0;
+  const double t = std::min(1.0, std::max(0.0, along));
+  return Distance(p, { a[0] + t * ux, a[1] + t * uy });
+}
+
+/// Marks what must stay of the open piece [from, to] (positions modulo the contour's length).
+void MarkPiece(const ContourSet& set, const std::vector<int>& points, std::size_t from,
+  std::size_t to, double tolerance, std::vector<char>& keep)
+{
+  std::vector<std::pair<std::size_t, std::size_t>> pieces{ { from, to } };
+  while (!pieces.empty())
+  {
+    const auto [a, b] = pieces.back();
+    pieces.pop_back();
+    double worst = tolerance;
+    std::size_t at = a;
+    for (std::size_t i = a + 1; i < b; ++i)
+    {
+      const double d = DistanceToChord(set.Planar[points[i % points.size()]],
+        set.Planar[points[a % points.size()]], set.Planar[points[b % points.size()]]);
+      if (d > worst)
+      {
+        worst = d;
+        at = i;
+      }
+    }
+    if (at != a)
+    {
+      keep[at % points.size()] = 1;
+      pieces.push_back({ a, at });
+      pieces.push_back({ at, b });
+    }
+  }
+}
+
+std::vector<int> Simplified(const ContourSet& set, const std::vector<int>& points, double tolerance)
+{
+  const std::size_t n = points.size();
+  std::vector<char> keep(n, 0);
+  // Anchors all around, so that a contour smaller than the tolerance stays a contour.
+  const std::size_t anchors = std::min<std::size_t>(n, MinimumPoints);
+  for (std::size_t k = 0; k < anchors; ++k)
+  {
+    keep[k * n / anchors] = 1;
+  }
+  for (std::size_t k = 0; k < anchors; ++k)
+  {
+    MarkPiece(set, points, k * n / anchors, (k + 1) * n / anchors, tolerance, keep);
+  }
+  std::vector<int> kept;
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    if (keep[i])
+    {
+      kept.push_back(points[i]);
+    }
+  }
+  return kept;
+}
+
+/// Drops the points that no contour uses any more.
+void Compact(ContourSet& set)
+{
+  std::vector<int> renamed(set.Points.size(), -1);
+  std::vector<Point3> points;
+  std::vector<Point2> planar;
+  for (Contour& contour : set.Contours)
+  {
+    for (int& p : contour.Points)
+    {
+      if (renamed[p] < 0)
+      {
+        renamed[p] = static_cast<int>(points.size());
+        points.push_back(set.Points[p]);
+        planar.push_back(set.Planar[p]);
+      }
+      p = renamed[p];
+    }
+  }
+  set.Points = std::move(points);
+  set.Planar = std::move(planar);
+}
+
+/// Puts new points on a level's contours; where they cross, the level keeps its own.
+template <typename Resample>
+ContourSet Resampled(const ContourSet& contours, const Resample& resample)
+{
+  ContourSet set = contours;
+  for (int level = 0; level < static_cast<int>(set.Levels.size()); ++level)
+  {
+    for (const int c : set.Levels[level].Contours)
+    {
+      set.Contours[c].Points = resample(set, contours.Contours[c].Points);
+    }
+    if (!PlanarEdges(set, level).SelfCrossing())
+    {
+      continue;
+    }
+    for (const int c : set.Levels[level].Contours)
+    {
+      set.Contours[c].Points = contours.Contours[c].Points;
+    }
+    set.Report.push_back("Level " + std::to_string(level) +
+      " keeps its own points: resampled, its contours would cross.");
+  }
+  for (Contour& contour : set.Contours)
+  {
+    contour.SignedArea = SignedAreaOf(set, contour.Points);
+  }
+  Compact(set);
+  return set;
+}
+}
+
+ContourSet ResampleToSpacing(const ContourSet& contours, double spacing)
+{
+  return Resampled(contours,
+    [spacing](ContourSet& set, const std::vector<int>& points)
+    { return Even(set, points, spacing); });
+}
+
+ContourSet ResampleToTolerance(const ContourSet& contours, double tolerance)
+{
+  return Resampled(contours,
+    [tolerance](const ContourSet& set, const std::vector<int>& points)
+    { return Simplified(set, points, tolerance); });
+}
+}

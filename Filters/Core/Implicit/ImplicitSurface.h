@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @file ImplicitSurface.h
+ * @brief The whole Implicit Surface Method: contours in any planes in, a smooth closed surface out
+ * (thesis part III).
+ */
+#ifndef recon_ImplicitSurface_h
+#define recon_ImplicitSurface_h
+
+#include "ContourFit.h"
+#include "Polygonizer.h"
+
+namespace recon
+{
+struct ImplicitSurfaceOptions
+{
+  ConstraintOptions Constraints;
+  FunctionOptions Function;
+  PolygonizerOptions Polygonizer;
+};
+
+struct ImplicitSurface
+{
+  ImplicitMesh Mesh;
+  ContourFit Fit;
+  std::vector<std::string> Report; ///< of all stages, in their order
+};
+
+/**
+ * Constraints, function and polygonizer in one call with one progress bar.
+ *
+ * Where no bounds are given and all levels are parallel to a coordinate plane, the solid ends half
+ * a level's distance beyond the first and the last level, as segmentations of slices are meant.
+ *
+ * @throws Error as the stages do; Aborted.
+ */
+ImplicitSurface BuildImplicitSurface(
+  const ContourSet& contours, const ImplicitSurfaceOptions& options, Monitor& monitor);
+
+/// The box in which such contours' surface is tracked where none is given.
+Bounds ChooseBoundsOf(const ContourSet& contours);
+
+/// All contour vertices.
+std::vector<Point3> SeedsOf(const ContourSet& contours);
+}
+
+#endif

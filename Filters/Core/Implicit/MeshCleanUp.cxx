@@ -1,0 +1,616 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "MeshCleanUp.h"
+
+#include "PointGrid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+namespace recon
+{
+namespace
+{
+constexpr double Pi = 3.14159265358979323846;
+/// Edges shorter than this part of EdgeLength are collapsed, none longer than the other is made.
+constexpr double ShortEdge = 0.6;
+constexpr double LongEdge = 1.7;
+/// Cosine that a triangle's normal must keep with the surface's normals at its corners.
+constexpr double LeastAgreement = 0.35;
+/// The same where a sliver has to go at any (safe) price.
+constexpr double LastResortAgreement = 0.05;
+/// Triangles with a smaller angle (degrees) are worked on after the regular rounds.
+constexpr double SliverAngle = 5;
+/// A snapped vertex may not make an angle smaller than this (degrees).
+constexpr double LeastAnchoredAngle = 8;
+constexpr int MaximumSliverPasses = 12;
+
+using Triangle = std::array<int, 3>;
+
+double AngleAt(const Point3& a, const Point3& b, const Point3& c)
+{
+  const Vector3 u = b - a;
+  const Vector3 v = c - a;
+  return std::atan2(Norm(Cross(u, v)), Dot(u, v));
+}
+
+double LeastAngleOf(const Point3& a, const Point3& b, const Point3& c)
+{
+  return std::min({ AngleAt(a, b, c), AngleAt(b, c, a), AngleAt(c, a, b) });
+}
+
+/**
+ * A triangle mesh that is edited in place: triangles die, points lose theirs, and Compact() at the
+ * end.
+ */
+class Editor
+{
+public:
+  Editor(TriangleMesh& mesh, std::vector<Vector3>& normals, double edgeLength)
+    : P(mesh.Points),
+      N(normals),
+      T(mesh.Triangles),
+      Around(mesh.Points.size()),
+      Border(mesh.Points.size(), 0),
+      Pinned(mesh.Points.size(), 0),
+      EdgeLength(edgeLength)
+  {
+    for (int t = 0; t < static_cast<int>(this->T.size()); ++t)
+    {
+      for (const int v : this->T[t])
+      {
+        this->Around[v].push_back(t);
+      }
+    }
+    for (int v = 0; v < static_cast<int>(this->P.size()); ++v)
+    {
+      for (const int w : this->Neighbours(v))
+      {
+        if (this->TrianglesAt(v, w).size() == 1)
+        {
+          this->Border[v] = 1;
+        }
+      }
+    }
+  }
+
+  std::vector<int> Neighbours(int v) const
+  {
+    std::vector<int> all;
+    for (const int t : this->Around[v])
+    {
+      for (const int w : this->T[t])
+      {
+        if (w != v)
+        {
+          all.push_back(w);
+        }
+      }
+    }
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    return all;
+  }
+
+  /// The triangles on an edge.
+  std::vector<int> TrianglesAt(int u, int v) const
+  {
+    std::vector<int> found;
+    for (const int t : this->Around[u])
+    {
+      if (Has(this->T[t], v))
+      {
+        found.push_back(t);
+      }
+    }
+    return found;
+  }
+
+  /// All edges (u < v), shorter than a limit, shortest first.
+  std::vector<std::pair<int, int>> EdgesShorterThan(double limit) const
+  {
+    std::vector<std::tuple<double, int, int>> edges;
+    for (const Triangle& t : this->T)
+    {
+      for (int k = 0; k < 3 && t[0] >= 0; ++k)
+      {
+        const int u = t[k];
+        const int v = t[(k + 1) % 3];
+        const double length = Norm(this->P[v] - this->P[u]);
+        if (length < limit)
+        {
+          edges.emplace_back(length, std::min(u, v), std::max(u, v));
+        }
+      }
+    }
+    std::sort(edges.begin(), edges.end());
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    std::vector<std::pair<int, int>> pairs;
+    for (const auto& [length, u, v] : edges)
+    {
+      pairs.emplace_back(u, v);
+    }
+    return pairs;
+  }
+
+  /// Collapses an edge onto that of its ends which leaves the better triangles, if either may be
+  /// kept.
+  bool Collapse(int u, int v, double agreement)
+  {
+    if (this->Around[u].empty() || this->Around[v].empty() || !this->LinkAllows(u, v))
+    {
+      return false;
+    }
+    const double towardV = this->QualityOfCollapse(u, v, agreement);
+    const double towardU = this->QualityOfCollapse(v, u, agreement);
+    if (std::max(towardV, towardU) <= 0)
+    {
+      return false;
+    }
+    towardV >= towardU ? this->Merge(u, v) : this->Merge(v, u);
+    return true;
+  }
+
+  /// Flips the edge where that makes the smaller of the two triangles' least angles larger.
+  bool Flip(int u, int v, double agreement)
+  {
+    const std::vector<int> both = this->TrianglesAt(u, v);
+    if (both.size() != 2)
+    {
+      return false;
+    }
+    const int a = Third(this->T[both[0]], u, v);
+    const int b = Third(this->T[both[1]], u, v);
+    if (a == b || this->Around[u].size() < 4 || this->Around[v].size() < 4 ||
+      !this->TrianglesAt(a, b).empty() ||
+      Norm(this->P[a] - this->P[b]) > LongEdge * this->EdgeLength)
+    {
+      return false;
+    }
+    // both[0] runs u -> v or v -> u; keep its sense.
+    const bool forward = Follows(this->T[both[0]], u, v);
+    const Triangle first = forward ? Triangle{ u, b, a } : Triangle{ u, a, b };
+    const Triangle second = forward ? Triangle{ v, a, b } : Triangle{ v, b, a };
+    const double before =
+      std::min(this->AngleOf(this->T[both[0]]), this->AngleOf(this->T[both[1]]));
+    const double after = std::min(this->AngleOf(first), this->AngleOf(second));
+    if (!(after > before * 1.0001 + 1e-9) || !this->Agrees(first, agreement) ||
+      !this->Agrees(second, agreement) || !this->Agree(first, second))
+    {
+      return false;
+    }
+    this->Replace(both[0], first);
+    this->Replace(both[1], second);
+    return true;
+  }
+
+  bool Agrees(const Triangle& t, double agreement) const
+  {
+    const Vector3 n = this->AreaNormal(t);
+    const double length = Norm(n);
+    for (const int v : t)
+    {
+      if (!(Dot(n, this->N[v]) > agreement * length))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  double AngleOf(const Triangle& t) const
+  {
+    return LeastAngleOf(this->P[t[0]], this->P[t[1]], this->P[t[2]]);
+  }
+
+  /// The least angle around a vertex, negative where a triangle has turned against the surface.
+  double QualityAround(int v, double agreement) const
+  {
+    double least = Pi;
+    for (const int t : this->Around[v])
+    {
+      if (!this->Agrees(this->T[t], agreement))
+      {
+        return -1;
+      }
+      least = std::min(least, this->AngleOf(this->T[t]));
+    }
+    return least;
+  }
+
+  void Compact()
+  {
+    std::vector<int> renamed(this->P.size(), -1);
+    std::size_t points = 0;
+    std::size_t triangles = 0;
+    for (const Triangle& t : this->T)
+    {
+      if (t[0] >= 0)
+      {
+        this->T[triangles++] = t;
+      }
+    }
+    this->T.resize(triangles);
+    for (std::size_t v = 0; v < this->P.size(); ++v)
+    {
+      if (!this->Around[v].empty())
+      {
+        renamed[v] = static_cast<int>(points);
+        this->P[points] = this->P[v];
+        this->N[points] = this->N[v];
+        ++points;
+      }
+    }
+    this->P.resize(points);
+    this->N.resize(points);
+    for (Triangle& t : this->T)
+    {
+      for (int& v : t)
+      {
+        v = renamed[v];
+      }
+    }
+  }
+
+  std::vector<Point3>& P;
+  std::vector<Vector3>& N;
+  std::vector<Triangle>& T;
+  std::vector<std::vector<int>> Around;
+  std::vector<char> Border;
+  std::vector<char> Pinned;
+
+private:
+  static bool Has(const Triangle& t, int v) { return t[0] == v || t[1] == v || t[2] == v; }
+
+  static int Third(const Triangle& t, int u, int v)
+  {
+    for (const int w : t)
+    {
+      if (w != u && w != v)
+      {
+        return w;
+      }
+    }
+    return -1;
+  }
+
+  static bool Follows(const Triangle& t, int u, int v)
+  {
+    return (t[0] == u && t[1] == v) || (t[1] == u && t[2] == v) || (t[2] == u && t[0] == v);
+  }
+
+  Vector3 AreaNormal(const Triangle& t) const
+  {
+    return Cross(this->P[t[1]] - this->P[t[0]], this->P[t[2]] - this->P[t[0]]);
+  }
+
+  /// Two triangles that share an edge must not fold back onto one another.
+  bool Agree(const Triangle& s, const Triangle& t) const
+  {
+    return Dot(this->AreaNormal(s), this->AreaNormal(t)) > 0;
+  }
+
+  bool LinkAllows(int u, int v) const
+  {
+    const std::vector<int> shared = this->TrianglesAt(u, v);
+    if (shared.empty() || shared.size() > 2)
+    {
+      return false;
+    }
+    // Two border vertices across an inner edge: the border would be pinched.
+    if (shared.size() == 2 && this->Border[u] && this->Border[v])
+    {
+      return false;
+    }
+    const std::vector<int> nu = this->Neighbours(u);
+    const std::vector<int> nv = this->Neighbours(v);
+    std::vector<int> common;
+    std::set_intersection(nu.begin(), nu.end(), nv.begin(), nv.end(), std::back_inserter(common));
+    if (common.size() != shared.size())
+    {
+      return false;
+    }
+    for (const int w : common)
+    {
+      if (this->Around[w].size() < (this->Border[w] ? 2u : 4u))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /// The least angle that u's triangles would have with v in its place; <= 0 where that may not be.
+  double QualityOfCollapse(int u, int v, double agreement) const
+  {
+    if (this->Pinned[u] || (this->Border[u] && !this->Border[v]) ||
+      (this->Border[u] && this->TrianglesAt(u, v).size() != 1))
+    {
+      return -1;
+    }
+    double least = Pi;
+    for (const int t : this->Around[u])
+    {
+      Triangle moved = this->T[t];
+      if (Has(moved, v))
+      {
+        continue;
+      }
+      std::replace(moved.begin(), moved.end(), u, v);
+      if (!this->Agrees(moved, agreement) || this->LongestEdge(moved) > LongEdge * this->EdgeLength)
+      {
+        return -1;
+      }
+      least = std::min(least, this->AngleOf(moved));
+    }
+    // Not worse than what is there, unless that is good anyway.
+    const double before = this->QualityAround(u, -2);
+    return least > std::min(before, 0.25) ? least : -1;
+  }
+
+  double LongestEdge(const Triangle& t) const
+  {
+    return std::max({ Norm(this->P[t[1]] - this->P[t[0]]), Norm(this->P[t[2]] - this->P[t[1]]),
+      Norm(this->P[t[0]] - this->P[t[2]]) });
+  }
+
+  void Detach(int t)
+  {
+    for (const int v : this->T[t])
+    {
+      auto& list = this->Around[v];
+      list.erase(std::find(list.begin(), list.end(), t));
+    }
+  }
+
+  void Replace(int t, const Triangle& by)
+  {
+    this->Detach(t);
+    this->T[t] = by;
+    for (const int v : by)
+    {
+      this->Around[v].push_back(t);
+    }
+  }
+
+  /// u's triangles become v's, those on the edge go.
+  void Merge(int u, int v)
+  {
+    const std::vector<int> all = this->Around[u];
+    for (const int t : all)
+    {
+      if (Has(this->T[t], v))
+      {
+        this->Detach(t);
+        this->T[t] = { -1, -1, -1 };
+        continue;
+      }
+      Triangle moved = this->T[t];
+      std::replace(moved.begin(), moved.end(), u, v);
+      this->Replace(t, moved);
+    }
+  }
+
+  double EdgeLength;
+};
+
+void CollapseShortEdges(Editor& editor, double limit)
+{
+  for (int pass = 0; pass < 4; ++pass)
+  {
+    std::size_t collapsed = 0;
+    for (const auto& [u, v] : editor.EdgesShorterThan(limit))
+    {
+      const Vector3 edge = editor.P[v] - editor.P[u];
+      // A neighbour may have gone, or have been replaced, since the list was made.
+      if (Norm(edge) < limit && editor.Collapse(u, v, LeastAgreement))
+      {
+        ++collapsed;
+      }
+    }
+    if (collapsed == 0)
+    {
+      return;
+    }
+  }
+}
+
+void FlipEdges(Editor& editor)
+{
+  for (int pass = 0; pass < 6; ++pass)
+  {
+    std::size_t flipped = 0;
+    for (std::size_t t = 0; t < editor.T.size(); ++t)
+    {
+      for (int k = 0; k < 3 && editor.T[t][0] >= 0; ++k)
+      {
+        const int u = editor.T[t][k];
+        const int v = editor.T[t][(k + 1) % 3];
+        flipped += editor.Flip(u, v, LeastAgreement) ? 1 : 0;
+      }
+    }
+    if (flipped == 0)
+    {
+      return;
+    }
+  }
+}
+
+/// Where a vertex would like to be: the mean of its neighbours, in its tangent plane.
+Point3 Relaxed(const Editor& editor, int v)
+{
+  const std::vector<int> around = editor.Neighbours(v);
+  Point3 mean{ 0, 0, 0 };
+  for (const int w : around)
+  {
+    mean = mean + editor.P[w];
+  }
+  const Vector3 move = (1.0 / static_cast<double>(around.size())) * mean - editor.P[v];
+  const Vector3& n = editor.N[v];
+  return editor.P[v] + (move - Dot(move, n) * n);
+}
+
+void Spread(Editor& editor, const Projector& project)
+{
+  std::vector<int> vertices;
+  std::vector<Point3> points;
+  for (int v = 0; v < static_cast<int>(editor.P.size()); ++v)
+  {
+    if (!editor.Around[v].empty() && !editor.Border[v] && !editor.Pinned[v])
+    {
+      vertices.push_back(v);
+      points.push_back(Relaxed(editor, v));
+    }
+  }
+  std::vector<Vector3> normals;
+  std::vector<char> done;
+  project(points, normals, done);
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+  {
+    if (!done[i])
+    {
+      continue;
+    }
+    const int v = vertices[i];
+    const Point3 oldPoint = editor.P[v];
+    const Vector3 oldNormal = editor.N[v];
+    const double before = editor.QualityAround(v, LeastAgreement);
+    editor.P[v] = points[i];
+    editor.N[v] = normals[i];
+    const double after = editor.QualityAround(v, LeastAgreement);
+    if (!(after > std::min(before, 0.4)))
+    {
+      editor.P[v] = oldPoint;
+      editor.N[v] = oldNormal;
+    }
+  }
+}
+
+/// One try at each sliver: the diagonal across it, or its shortest edge away.
+std::size_t MendSlivers(Editor& editor, double angle, double agreement)
+{
+  std::size_t mended = 0;
+  for (std::size_t t = 0; t < editor.T.size(); ++t)
+  {
+    if (editor.T[t][0] < 0 || editor.AngleOf(editor.T[t]) >= angle)
+    {
+      continue;
+    }
+    std::array<std::tuple<double, int, int>, 3> edges;
+    for (int k = 0; k < 3; ++k)
+    {
+      const int u = editor.T[t][k];
+      const int v = editor.T[t][(k + 1) % 3];
+      edges[k] = { Norm(editor.P[v] - editor.P[u]), u, v };
+    }
+    std::sort(edges.begin(), edges.end());
+    const auto [longest, a, b] = edges[2];
+    bool changed = editor.Flip(a, b, agreement);
+    for (int k = 0; k < 3 && !changed; ++k)
+    {
+      changed = editor.Collapse(std::get<1>(edges[k]), std::get<2>(edges[k]), agreement);
+    }
+    mended += changed ? 1 : 0;
+  }
+  return mended;
+}
+
+void RemoveSlivers(Editor& editor, const Projector& project)
+{
+  for (int pass = 0; pass < MaximumSliverPasses; ++pass)
+  {
+    const double agreement = pass < MaximumSliverPasses / 2 ? LeastAgreement : LastResortAgreement;
+    if (MendSlivers(editor, SliverAngle * Pi / 180, agreement) == 0 && pass > 0)
+    {
+      return;
+    }
+    FlipEdges(editor);
+    if (pass % 3 == 2)
+    {
+      Spread(editor, project);
+    }
+  }
+}
+
+/// Moves the nearest free vertex of each anchor onto it, nearest pairs first.
+std::size_t Anchor(Editor& editor, const std::vector<Point3>& anchors, double edgeLength)
+{
+  const PointGrid grid(editor.P, edgeLength);
+  std::vector<std::tuple<double, int, int>> pairs;
+  for (int a = 0; a < static_cast<int>(anchors.size()); ++a)
+  {
+    grid.ForNear(anchors[a], 0.6 * edgeLength,
+      [&](int v, double r2)
+      {
+        if (!editor.Around[v].empty() && !editor.Border[v])
+        {
+          pairs.emplace_back(r2, a, v);
+        }
+      });
+  }
+  std::sort(pairs.begin(), pairs.end());
+  std::vector<char> placed(anchors.size(), 0);
+  std::size_t count = 0;
+  for (const auto& [r2, a, v] : pairs)
+  {
+    if (placed[a] || editor.Pinned[v])
+    {
+      continue;
+    }
+    const Point3 old = editor.P[v];
+    const double before = editor.QualityAround(v, LeastAgreement);
+    editor.P[v] = anchors[a];
+    if (editor.QualityAround(v, LeastAgreement) >
+      std::min(before * 0.99, LeastAnchoredAngle * Pi / 180))
+    {
+      placed[a] = 1;
+      editor.Pinned[v] = 1;
+      ++count;
+      continue;
+    }
+    editor.P[v] = old;
+  }
+  return count;
+}
+}
+
+CleanUpResult CleanUp(TriangleMesh& mesh, std::vector<Vector3>& normals, const Projector& project,
+  const CleanUpOptions& options, Monitor& monitor)
+{
+  Editor editor(mesh, normals, options.EdgeLength);
+  for (int round = 0; round < options.Rounds; ++round)
+  {
+    monitor.Update(static_cast<double>(round) / (options.Rounds + 1), "cleaning up the mesh");
+    CollapseShortEdges(editor, ShortEdge * options.EdgeLength);
+    FlipEdges(editor);
+    Spread(editor, project);
+    FlipEdges(editor);
+  }
+  monitor.Update(
+    static_cast<double>(options.Rounds) / (options.Rounds + 1), "cleaning up the mesh");
+  RemoveSlivers(editor, project);
+  CleanUpResult result;
+  if (!options.Anchors.empty())
+  {
+    result.Anchored = Anchor(editor, options.Anchors, options.EdgeLength);
+    FlipEdges(editor);
+    Spread(editor, project);
+    RemoveSlivers(editor, project);
+  }
+  editor.Compact();
+  result.LeastAngle = LeastAngle(mesh);
+  monitor.Update(1, "cleaning up the mesh");
+  return result;
+}
+
+double LeastAngle(const TriangleMesh& mesh)
+{
+  double least = Pi;
+  for (const Triangle& t : mesh.Triangles)
+  {
+    least = std::min(least, LeastAngleOf(mesh.Points[t[0]], mesh.Points[t[1]], mesh.Points[t[2]]));
+  }
+  return least * 180 / Pi;
+}
+}

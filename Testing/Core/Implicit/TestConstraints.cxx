@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Algorithm 13: counts, sides, values, merging, resampling.
+#include "HandMadeContours.h"
+#include "Implicit/Constraints.h"
+#include "Implicit/ContourResampling.h"
+
+#include <gtest/gtest.h>
+
+using namespace recon;
+
+namespace
+{
+ConstraintSet Build(const ContourSet& contours, const ConstraintOptions& options = {})
+{
+  Monitor monitor;
+  return BuildInPlaneConstraints(contours, options, monitor);
+}
+
+/// By winding of angles: another way than the one under test.
+bool IsInside(const ContourSet& set, int level, const Point3& p)
+{
+  const Point2 at = set.Levels[static_cast<std::size_t>(level)].Frame.ToPlane(p);
+  double turns = 0;
+  for (const Contour& contour : set.Contours)
+  {
+    if (contour.Level != level)
+    {
+      continue;
+    }
+    for (std::size_t i = 0; i < contour.Points.size(); ++i)
+    {
+      const Point2& a = set.Planar[contour.Points[i]];
+      const Point2& b = set.Planar[contour.Points[(i + 1) % contour.Points.size()]];
+      const double ax = a[0] - at[0];
+      const double ay = a[1] - at[1];
+      const double bx = b[0] - at[0];
+      const double by = b[1] - at[1];
+      turns += std::atan2(ax * by - ay * bx, ax * bx + ay * by);
+    }
+  }
+  // Outer walls turn once, holes turn back.
+  return turns > 3;
+}
+
+double DistanceToLevel(const ContourSet& set, int level, const Point3& p)
+{
+  const Point2 at = set.Levels[static_cast<std::size_t>(level)].Frame.ToPlane(p);
+  double least = 1e300;
+  for (const Contour& contour : set.Contours)
+  {
+    for (std::size_t i = 0; contour.Level == level && i < contour.Points.size(); ++i)
+    {
+      const Point2& a = set.Planar[contour.Points[i]];
+      const Point2& b = set.Planar[contour.Points[(i + 1) % contour.Points.size()]];
+      const double ux = b[0] - a[0];
+      const double uy = b[1] - a[1];
+      const double t = std::min(
+        1.0, std::max(0.0, ((at[0] - a[0]) * ux + (at[1] - a[1]) * uy) / (ux * ux + uy * uy)));
+      least = std::min(least, std::hypot(at[0] - a[0] - t * ux, at[1] - a[1] - t * uy));
+    }
+  }
+  return least;
+}
+
+void ExpectProperMargins(const ContourSet& contours, const ConstraintSet& set)
+{
+  ASSERT_EQ(set.Points.size(), set.Values.size());
+  ASSERT_EQ(set.Points.size(), set.Kind.size());
+  for (std::size_t i = 0; i < set.Points.size(); ++i)
+  {
+    const int level = contours.Contours[static_cast<std::size_t>(set.Contour[i])].Level;
+    const double distance = DistanceToLevel(contours, level, set.Points[i]);
+    switch (set.Kind[i])
+    {
+      case ConstraintSet::Boundary:
+        EXPECT_EQ(set.Values[i], 0);
+        EXPECT_LT(distance, 1e-12);
+        break;
+      case ConstraintSet::Inner:
+        EXPECT_TRUE(IsInside(contours, level, set.Points[i])) << i;
+        EXPECT_GT(set.Values[i], 0);
+        break;
+      default:
+        EXPECT_FALSE(IsInside(contours, level, set.Points[i])) << i;
+        EXPECT_LT(set.Values[i], 0);
+        break;
+    }
+  }
+}
+
+ContourSet TwoDiscsWithHole()
+{
+  handmade::Maker maker;
+  const int low = maker.AddLevel({ 0, 0, 1 }, -2);
+  maker.AddCircle(low, { 0, 0 }, 10, 40);
+  maker.AddCircle(low, { 1, 0 }, 4, 20);
+  const int high = maker.AddLevel({ 0, 0, 1 }, 3);
+  maker.AddCircle(high, { 0, 0 }, 9, 32);
+  return maker.Finish();
+}
+}
+
+TEST(Constraints, ExactlyThreeAVertexEachOnItsSide)
+{
+  const ContourSet contours = TwoDiscsWithHole();
+  const ConstraintSet set = Build(contours);
+  EXPECT_EQ(set.Points.size(), 3u * (40 + 20 + 32));
+  EXPECT_TRUE(set.Report.empty());
+  ExpectProperMargins(contours, set);
+}
+
+TEST(Constraints, ThinShapesShrinkTheirMargins)
+{
+  handmade::Maker maker;
+  for (const double z : { 0.0, 1.0 })
+  {
+    const int level = maker.AddLevel({ 0, 0, 1 }, z);
+    // A sliver a thousandth wide, and a comb whose teeth nearly touch.
+    maker.AddContour(level, { { 0, 0, z }, { 10, 0, z }, { 10, 0.01, z }, { 0, 0.01, z } });
+    maker.AddContour(level,
+      { { 0, 1, z }, { 9, 1, z }, { 9, 4, z }, { 5.001, 4, z }, { 5, 1.5, z }, { 4.999, 4, z },
+        { 0, 4, z } });
+  }
+  const ContourSet contours = maker.Finish();
+  const ConstraintSet set = Build(contours);
+  EXPECT_EQ(set.Points.size(), 3u * contours.Points.size());
+  ExpectProperMargins(contours, set);
+}
+
+TEST(Constraints, ContoursThatTouchKeepTheirSides)
+{
+  // Two squares that meet in a vertex they share by index: outside one is inside the other.
+  handmade::Maker maker;
+  for (const double z : { 0.0, 1.0 })
+  {
+    const int level = maker.AddLevel({ 0, 0, 1 }, z);
+    maker.AddContour(level, { { 0, 0, z }, { 2, 0, z }, { 2, 2, z }, { 0, 2, z } });
+    maker.AddContour(level, { { 2, 2, z }, { 4, 2, z }, { 4, 4, z }, { 2, 4, z } });
+  }
+  ContourSet contours = maker.Finish();
+  for (std::size_t c = 0; c < contours.Contours.size(); c += 2)
+  {
+    contours.Contours[c + 1].Points[0] = contours.Contours[c].Points[2];
+  }
+  const ConstraintSet set = Build(contours);
+  EXPECT_EQ(set.Points.size(), 3u * 16);
+  ExpectProperMargins(contours, set);
+}
+
+TEST(Constraints, ValuesAreUnitOrDistance)
+{
+  const ContourSet contours = TwoDiscsWithHole();
+  ConstraintOptions options;
+  options.Values = ConstraintOptions::Unit;
+  ConstraintSet set = Build(contours, options);
+  for (std::size_t i = 0; i < set.Values.size(); ++i)
+  {
+    EXPECT_EQ(set.Values[i], set.Kind[i]);
+  }
+  options.Values = ConstraintOptions::Distance;
+  options.MarginDistance = 0.2;
+  set = Build(contours, options);
+  EXPECT_EQ(set.MarginDistance, 0.2);
+  for (std::size_t i = 0; i < set.Values.size(); ++i)
+  {
+    const int level = contours.Contours[static_cast<std::size_t>(set.Contour[i])].Level;
+    EXPECT_NEAR(std::abs(set.Values[i]), DistanceToLevel(contours, level, set.Points[i]), 1e-12);
+  }
+}
+
+TEST(Constraints, AutomaticMarginIsAThirdOfTheSpacing)
+{
+  handmade::Maker maker;
+  maker.AddCircle(maker.AddLevel({ 0, 0, 1 }, 0), { 0, 0 }, 10, 60);
+  maker.AddCircle(maker.AddLevel({ 0, 0, 1 }, 1), { 0, 0 }, 10, 60);
+  const double spacing = 2 * 10 * std::sin(3.14159265358979323846 / 60);
+  EXPECT_NEAR(Build(maker.Finish()).MarginDistance, spacing / 3, 1e-12);
+}
+
+TEST(Constraints, CornersOfTheBoundingBox)
+{
+  const ContourSet contours = TwoDiscsWithHole();
+  ConstraintOptions options;
+  options.Mode = ConstraintOptions::BoundingBoxCorners;
+  const ConstraintSet set = Build(contours, options);
+  EXPECT_EQ(set.Points.size(), 40u + 20 + 32 + 8);
+  EXPECT_EQ(std::count(set.Kind.begin(), set.Kind.end(), ConstraintSet::Outer), 8);
+  double least = 1e300;
+  for (const Point3& p : contours.Points)
+  {
+    least = std::min(least, Norm(p - set.Points.back()));
+  }
+  EXPECT_EQ(set.Values.back(), -least);
+}
+
+TEST(Constraints, CrossingPlanesMergeAtTheirCrossing)
+{
+  // Three great circles of a sphere, drawn with a wobble: at each of the six crossings two points,
+  // not equal.
+  handmade::Maker maker;
+  maker.AddCircle(maker.AddLevel({ 0, 0, 1 }, 0), { 0, 0 }, 10, 36, 0);
+  maker.AddCircle(maker.AddLevel({ 1, 0, 0 }, 0), { 0, 0 }, 10.05, 36, 0);
+  maker.AddCircle(maker.AddLevel({ 0, 1, 0 }, 0), { 0, 0 }, 9.95, 36, 0);
+  const ContourSet contours = maker.Finish();
+  EXPECT_EQ(Build(contours).Points.size(), 3u * 108);
+  ConstraintOptions options;
+  options.MergeBox = 0.05;
+  const ConstraintSet set = Build(contours, options);
+  EXPECT_EQ(set.Points.size(), 3u * 102);
+  ASSERT_EQ(set.Report.size(), 1u);
+  EXPECT_NE(set.Report[0].find("12 points"), std::string::npos) << set.Report[0];
+
+  // Points of parallel planes are never merged, however near.
+  handmade::Maker parallel;
+  parallel.AddCircle(parallel.AddLevel({ 0, 0, 1 }, 0), { 0, 0 }, 10, 36);
+  parallel.AddCircle(parallel.AddLevel({ 0, 0, 1 }, 0.01), { 0, 0 }, 10, 36);
+  EXPECT_EQ(Build(parallel.Finish(), options).Points.size(), 3u * 72);
+}
+
+TEST(ContourResampling, SpacingAndTolerance)
+{
+  handmade::Maker maker;
+  maker.AddCircle(maker.AddLevel({ 0, 0, 1 }, 0), { 0, 0 }, 10, 400);
+  maker.AddCircle(maker.AddLevel({ 0, 0, 1 }, 2), { 0, 0 }, 0.1, 100);
+  const ContourSet contours = maker.Finish();
+  const ContourSet even = ResampleToSpacing(contours, 1);
+  EXPECT_EQ(even.Contours[0].Points.size(), 63u);
+  EXPECT_EQ(even.Contours[1].Points.size(), static_cast<std::size_t>(MinimumPoints));
+  EXPECT_NEAR(even.Contours[0].SignedArea, contours.Contours[0].SignedArea, 1);
+  const ContourSet few = ResampleToTolerance(contours, 0.05);
+  EXPECT_LT(few.Contours[0].Points.size(), 60u);
+  for (const Point3& p : contours.Points)
+  {
+    const int level = p[2] > 1 ? 1 : 0;
+    EXPECT_LT(DistanceToLevel(few, level, p), 0.0501);
+  }
+}
+
+TEST(ConstraintsInvalid, EachBadInputHasItsSentence)
+{
+  handmade::Maker maker;
+  maker.AddCircle(maker.AddLevel({ 0, 0, 1 }, 0), { 0, 0 }, 10, 36);
+  EXPECT_THROW(Build(maker.Finish()), Error);
+  EXPECT_THROW(Build(ContourSet()), Error);
+  const ContourSet good = TwoDiscsWithHole();
+  ConstraintOptions options;
+  options.MarginDistance = -1;
+  EXPECT_THROW(Build(good, options), Error);
+  options.MarginDistance = std::nan("");
+  EXPECT_THROW(Build(good, options), Error);
+  options.MarginDistance = 1000;
+  EXPECT_THROW(Build(good, options), Error);
+  options = ConstraintOptions();
+  options.MergeBox = 1.5;
+  EXPECT_THROW(Build(good, options), Error);
+  options = ConstraintOptions();
+  options.ResampleSpacing = -2;
+  EXPECT_THROW(Build(good, options), Error);
+}

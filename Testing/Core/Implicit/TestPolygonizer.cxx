@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The zero set as triangles: closed, manifold, outward, without slivers, on the surface, seeded
+// components only.
+#include "Core/Mesh/MeshInvariants.h"
+#include "Implicit/ImplicitSurface.h"
+#include "ImplicitShapes.h"
+
+#include <set>
+
+using namespace recon;
+using namespace recon::testing;
+
+namespace
+{
+ContourFit Fit(const ContourSet& contours)
+{
+  Monitor monitor;
+  return FitContours(contours, ConstraintOptions(), FunctionOptions(), monitor);
+}
+
+ImplicitMesh Mesh(const ContourFit& fit, const PolygonizerOptions& options = {})
+{
+  Monitor monitor;
+  return Polygonize(fit.Function, SeedsOf(fit.Contours), options, monitor);
+}
+
+int EulerOf(const TriangleMesh& mesh)
+{
+  return CheckTopology(mesh).Total.Euler;
+}
+
+const ContourFit& Ball()
+{
+  static const ContourFit fit = Fit(handmade::SphereSlices({ 30, -20, 500 }, 10, 9, 36));
+  return fit;
+}
+}
+
+TEST(Polygonizer, SphereIsSoundAndRound)
+{
+  const ImplicitMesh ball = Mesh(Ball());
+  ExpectSoundSurface(ball.Mesh);
+  EXPECT_EQ(EulerOf(ball.Mesh), 2);
+  EXPECT_GE(ball.LeastAngle, 1);
+  EXPECT_TRUE(ball.Report.empty()) << ball.Report.front();
+  ASSERT_EQ(ball.Normals.size(), ball.Mesh.Points.size());
+  for (std::size_t i = 0; i < ball.Mesh.Points.size(); ++i)
+  {
+    const Vector3 out = ball.Mesh.Points[i] - Point3{ 30, -20, 500 };
+    EXPECT_NEAR(Norm(out), 10, 0.15);
+    EXPECT_GT(Dot(out, ball.Normals[i]), 9.5);
+    EXPECT_NEAR(Norm(ball.Normals[i]), 1, 1e-12);
+  }
+}
+
+TEST(Polygonizer, EveryVertexIsOnTheZeroSet)
+{
+  for (const bool clean : { false, true })
+  {
+    PolygonizerOptions options;
+    options.CleanUp = clean;
+    options.CellSize = 1;
+    const ImplicitMesh ball = Mesh(Ball(), options);
+    ExpectClosed(ball.Mesh);
+    ExpectManifold(ball.Mesh);
+    const std::vector<double> f = Ball().Function.Evaluate(ball.Mesh.Points, 0);
+    const std::vector<Vector3> g = Ball().Function.EvaluateGradients(ball.Mesh.Points, 0);
+    for (std::size_t i = 0; i < f.size(); ++i)
+    {
+      EXPECT_LT(std::abs(f[i]) / Norm(g[i]), 2e-6);
+    }
+  }
+}
+
+TEST(Polygonizer, BoundsCloseOrCut)
+{
+  PolygonizerOptions options;
+  options.Box = Bounds{ 25, 45, -40, 0, 480, 504 };
+  options.CellSize = 0.5;
+  const ImplicitMesh closed = Mesh(Ball(), options);
+  ExpectSoundSurface(closed.Mesh);
+  EXPECT_EQ(EulerOf(closed.Mesh), 2);
+  EXPECT_GE(closed.LeastAngle, 1);
+  for (const Point3& p : closed.Mesh.Points)
+  {
+    EXPECT_GE(p[0], 25 - 1e-6);
+    EXPECT_LE(p[2], 504 + 1e-6);
+  }
+  options.ClosedAtBounds = false;
+  const ImplicitMesh open = Mesh(Ball(), options);
+  ExpectManifold(open.Mesh);
+  const TopologyFigures total = CheckTopology(open.Mesh).Total;
+  EXPECT_GT(total.OpenEdges, 0);
+  EXPECT_EQ(total.MisorientedEdges, 0);
+  EXPECT_EQ(total.Euler, 1);
+  EXPECT_GE(open.LeastAngle, 1);
+}
+
+TEST(Polygonizer, OnlyWhatSeedsTouch)
+{
+  // Two balls; seeds of one only.
+  const ContourSet two = handmade::SphereSlices({ 0, 0, 0 }, 5, 7, 24);
+  const ContourSet other = handmade::SphereSlices({ 14, 0, 0 }, 5, 7, 24);
+  handmade::Maker maker;
+  for (std::size_t l = 0; l < two.Levels.size(); ++l)
+  {
+    const int level = maker.AddLevel({ 0, 0, 1 }, two.Levels[l].Offset);
+    for (const ContourSet* set : { &two, &other })
+    {
+      std::vector<Point3> loop;
+      for (const int p : set->Contours[l].Points)
+      {
+        loop.push_back(set->Points[static_cast<std::size_t>(p)]);
+      }
+      maker.AddContour(level, loop);
+    }
+  }
+  const ContourFit fit = Fit(maker.Finish());
+  ImplicitMesh both = Mesh(fit);
+  ExpectSoundSurface(both.Mesh);
+  EXPECT_EQ(CheckTopology(both.Mesh).Total.Components, 2);
+  Monitor monitor;
+  PolygonizerOptions options;
+  options.Box = Bounds{ -8, 22, -8, 8, -8, 8 };
+  const ImplicitMesh one = Polygonize(fit.Function, SeedsOf(two), options, monitor);
+  ExpectSoundSurface(one.Mesh);
+  EXPECT_EQ(CheckTopology(one.Mesh).Total.Components, 1);
+}
+
+TEST(Polygonizer, SnapsContourPoints)
+{
+  PolygonizerOptions options;
+  options.SnapToSeeds = true;
+  options.CellSize = 0.8;
+  const ImplicitMesh ball = Mesh(Ball(), options);
+  ExpectSoundSurface(ball.Mesh);
+  EXPECT_GE(ball.LeastAngle, 1);
+  const std::set<Point3> points(ball.Mesh.Points.begin(), ball.Mesh.Points.end());
+  std::size_t snapped = 0;
+  for (const Point3& seed : SeedsOf(Ball().Contours))
+  {
+    snapped += points.count(seed);
+  }
+  EXPECT_GT(snapped, Ball().Contours.Points.size() * 2 / 3);
+}
+
+TEST(Polygonizer, ThreadsDoNotChangeTheMesh)
+{
+  PolygonizerOptions options;
+  options.CellSize = 1;
+  options.Threads = 1;
+  const ImplicitMesh one = Mesh(Ball(), options);
+  options.Threads = 5;
+  const ImplicitMesh five = Mesh(Ball(), options);
+  EXPECT_EQ(one.Mesh.Points, five.Mesh.Points);
+  EXPECT_EQ(one.Mesh.Triangles, five.Mesh.Triangles);
+}
+
+TEST(PolygonizerInvalid, EachBadOptionHasItsSentence)
+{
+  PolygonizerOptions options;
+  for (const double size : { -1.0, std::nan(""), HUGE_VAL })
+  {
+    options.CellSize = size;
+    EXPECT_THROW(Mesh(Ball(), options), Error);
+  }
+  options.CellSize = 1e-5;
+  try
+  {
+    Mesh(Ball(), options);
+    ADD_FAILURE() << "an absurd cell size was taken";
+  }
+  catch (const Error& error)
+  {
+    // It says how many cells it would take: 1.5 * 6 * 20 * 20 / 1e-10, about.
+    EXPECT_NE(std::string(error.what()).find("e+13 cells"), std::string::npos) << error.what();
+  }
+  options = PolygonizerOptions();
+  options.Box = Bounds{ 0, 0, 0, 1, 0, 1 };
+  EXPECT_THROW(Mesh(Ball(), options), Error);
+  options.Box = Bounds{ 1000, 1001, 0, 1, 0, 1 };
+  EXPECT_THROW(Mesh(Ball(), options), Error);
+  ImplicitFunction empty;
+  Monitor monitor;
+  EXPECT_THROW(Polygonize(empty, SeedsOf(Ball().Contours), PolygonizerOptions(), monitor), Error);
+  EXPECT_THROW(Polygonize(Ball().Function, {}, PolygonizerOptions(), monitor), Error);
+}
