@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkBRepWriter.h"
+
+#include "BRepFormatter.h"
+#include "ContourConversion.h"
+#include "Contours/ContourChaining.h"
+#include "vtkContourMonitor.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkErrorCode.h"
+#include "vtkInformation.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+vtkStandardNewMacro(vtkBRepWriter);
+
+namespace
+{
+recon::SpaceLoop InSpace(const recon::LoopSoup& soup, const std::vector<int>& points)
+{
+  recon::SpaceLoop loop;
+  for (const int point : points)
+  {
+    loop.push_back(soup.Points[point]);
+  }
+  return loop;
+}
+
+/// Closed loops as they are, then what loose pieces chain to. Vertices alone are no contours.
+void AppendLoops(
+  vtkPolyData* contours, std::vector<recon::SpaceLoop>& loops, recon::Monitor& monitor)
+{
+  if (contours->GetNumberOfLines() + contours->GetNumberOfPolys() == 0)
+  {
+    return;
+  }
+  recon::LoopSoup soup = recon::ToLoopSoup(contours).Soup;
+  recon::LoopSoup pieces;
+  for (recon::LoopSoup::Chain& chain : soup.Chains)
+  {
+    if (chain.Closed)
+    {
+      loops.push_back(InSpace(soup, chain.Points));
+    }
+    else if (chain.Points.size() > 1)
+    {
+      pieces.Chains.push_back(std::move(chain));
+    }
+  }
+  if (pieces.Chains.empty())
+  {
+    return;
+  }
+  pieces.Points = std::move(soup.Points);
+  recon::ContourNotes notes(pieces);
+  for (const recon::Ring& ring : recon::ChainRings(pieces, 0, notes, monitor))
+  {
+    loops.push_back(InSpace(pieces, ring.Points));
+  }
+}
+
+std::vector<recon::SpaceLoop> LoopsOf(
+  vtkPolyData* surface, vtkPolyData* contours, recon::Monitor& monitor)
+{
+  std::vector<recon::SpaceLoop> loops;
+  vtkNew<vtkPolyData> lines;
+  lines->SetPoints(surface->GetPoints());
+  lines->SetLines(surface->GetLines());
+  AppendLoops(lines, loops, monitor);
+  if (contours)
+  {
+    AppendLoops(contours, loops, monitor);
+  }
+  return loops;
+}
+
+/// The shell set of every triangle; empty where the surface does not tell.
+std::vector<int> ShellSetsOf(vtkPolyData* surface)
+{
+  std::vector<int> sets;
+  vtkDataArray* array = surface->GetCellData()->GetArray("ShellSet");
+  if (!array)
+  {
+    return sets;
+  }
+  // vtkPolyData counts vertices and lines before polygons.
+  const vtkIdType first = surface->GetNumberOfVerts() + surface->GetNumberOfLines();
+  for (vtkIdType i = 0; i < surface->GetNumberOfPolys(); ++i)
+  {
+    sets.push_back(static_cast<int>(array->GetTuple1(first + i)));
+  }
+  return sets;
+}
+}
+
+vtkBRepWriter::vtkBRepWriter()
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+vtkBRepWriter::~vtkBRepWriter()
+{
+  this->SetFileName(nullptr);
+}
+
+void vtkBRepWriter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << endl;
+}
+
+int vtkBRepWriter::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  if (port == 1)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  return 1;
+}
+
+void vtkBRepWriter::WriteData()
+{
+  if (!this->FileName || !*this->FileName)
+  {
+    vtkErrorMacro("No file name is set: set FileName to the file to write (.brep).");
+    this->SetErrorCode(vtkErrorCode::NoFileNameError);
+    return;
+  }
+  try
+  {
+    vtkPolyData* surface = vtkPolyData::SafeDownCast(this->GetInput());
+    if (!surface)
+    {
+      throw recon::Error("There is no surface to write: connect one to the writer.");
+    }
+    vtkContourMonitor joining(this, 0.0, 0.6);
+    const recon::TriangleMesh mesh = recon::ToTriangleMesh(surface);
+    const std::vector<recon::SpaceLoop> loops =
+      LoopsOf(surface, vtkPolyData::SafeDownCast(this->GetInput(1)), joining);
+    std::vector<int> missing;
+    const recon::BRep brep = recon::MakeBRep(mesh, ShellSetsOf(surface), loops, missing, joining);
+    vtkContourMonitor writing(this, 0.6, 1.0);
+    recon::WriteBRep(this->FileName, brep, writing);
+    if (!missing.empty())
+    {
+      vtkWarningMacro(<< missing.size() << " of " << loops.size()
+                      << " contours (the first is number " << missing.front()
+                      << ") do not run along edges of the surface and were left out.");
+    }
+    this->SetErrorCode(vtkErrorCode::NoError);
+  }
+  catch (const recon::Aborted&)
+  {
+    this->SetErrorCode(vtkErrorCode::UserError);
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorMacro(<< error.what());
+    this->SetErrorCode(vtkErrorCode::CannotOpenFileError);
+  }
+}
