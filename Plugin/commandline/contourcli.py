@@ -73,13 +73,18 @@ class _Watched:
 
     def __init__(self, algorithm, bar=None):
         self.errors = []
-        self.algorithm = algorithm
+        self.warnings = []
         self.tags = []
 
         def on_error(_, __, message):
             self.errors.append(_sentence(message))
 
         on_error.CallDataType = "string0"
+
+        def on_warning(_, __, message):
+            self.warnings.append(_sentence(message))
+
+        on_warning.CallDataType = "string0"
 
         def on_executive_error(_, __, message):
             # "Algorithm ... returned failure" says nothing that the algorithm itself did not.
@@ -88,6 +93,7 @@ class _Watched:
 
         on_executive_error.CallDataType = "string0"
         self._observe(algorithm, "ErrorEvent", on_error)
+        self._observe(algorithm, "WarningEvent", on_warning)
         executive = algorithm.GetExecutive() if hasattr(algorithm, "GetExecutive") else None
         if executive is not None:
             self._observe(executive, "ErrorEvent", on_executive_error)
@@ -108,6 +114,8 @@ class _Watched:
     def check(self):
         if self.errors:
             raise CommandError(self.errors[0])
+        for warning in self.warnings:
+            print("Note: " + warning, file=sys.stderr)
 
 
 def run_proxy(proxy, bar=None):

@@ -1,0 +1,90 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The command line, from outside: what it writes, prints and returns, and one sentence for every failure."""
+import json
+import os
+import shutil
+import subprocess
+import sys
+
+import contourtesting as ct
+
+SCRIPT = os.path.join(ct.SOURCE, "Plugin", "commandline", "reconstruct.py")
+FOLDER = ct.output("command line")
+shutil.rmtree(FOLDER, ignore_errors=True)
+os.makedirs(FOLDER)
+PVPYTHON = shutil.which("pvpython")
+
+
+def reconstruct(*arguments):
+    return subprocess.run([PVPYTHON, "--force-offscreen-rendering", SCRIPT, *arguments], cwd=FOLDER,
+                          capture_output=True, text=True)
+
+
+def succeeds(*arguments):
+    run = reconstruct(*arguments)
+    ct.check(run.returncode == 0, f"{arguments} returns 0: {run.stderr}")
+    ct.check("\r" not in run.stderr, f"{arguments} draws no progress bar where there is no terminal")
+    return run.stdout
+
+
+def fails(words, *arguments):
+    before = sorted(os.listdir(FOLDER))
+    run = reconstruct(*arguments)
+    lines = [line for line in run.stderr.splitlines() if line.strip()]
+    ct.check(run.returncode != 0, f"{arguments} returns nonzero")
+    ct.check(len(lines) == 1 and lines[0].startswith("contour-reconstruct: "),
+             f"{arguments} says one sentence, not: {lines}")
+    ct.check(words in run.stderr, f"{arguments} says '{words}': {run.stderr}")
+    ct.check(sorted(os.listdir(FOLDER)) == before, f"{arguments} leaves no file behind")
+
+
+brain = ct.own("brain.cnt")
+table = succeeds(brain, "brain.vtp", "--certificate", "brain.json")
+row = [line for line in table.splitlines() if line.startswith("brain")][0].split()
+ct.check(row[1] == "105", f"the table counts the contours: {row}")
+ct.check(row[3:5] == ["yes", "yes"], f"the table says closed and manifold: {row}")
+for stage in ("read", "clean contours", "extract surface", "certificate", "write"):
+    ct.check(any(line.startswith(stage) for line in table.splitlines()), f"the table times '{stage}'")
+with open(os.path.join(FOLDER, "brain.json"), encoding="utf-8") as file:
+    certificate = json.load(file)
+ct.check(certificate["brain"]["Total"]["Closed"] in (True, 1), "the certificate says closed")
+ct.check(abs(certificate["brain"]["Total"]["Volume"] - float(row[6])) < 1e-5 * float(row[6]),
+         "table and certificate agree on the volume")
+
+from vtkmodules.vtkIOGeometry import vtkSTLReader
+from vtkmodules.vtkIOPLY import vtkPLYReader
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+
+pipe = ct.own("branching_pipe.cnt")
+counts = {}
+for extension, Reader in ((".vtp", vtkXMLPolyDataReader), (".stl", vtkSTLReader), (".ply", vtkPLYReader)):
+    succeeds(pipe, "pipe" + extension)
+    reader = Reader()
+    reader.SetFileName(os.path.join(FOLDER, "pipe" + extension))
+    reader.Update()
+    counts[extension] = reader.GetOutput().GetNumberOfPolys()
+ct.check(counts[".vtp"] > 100, f"pipe.vtp has triangles: {counts}")
+ct.check(len(set(counts.values())) == 1, f"every format has all triangles: {counts}")
+succeeds(pipe, "pipe.brep")
+ct.check(os.path.getsize(os.path.join(FOLDER, "pipe.brep")) > 1000, "pipe.brep is written")
+with_points = counts[".vtp"]
+succeeds(pipe, "plain.vtp", "--set", "InternalPoints=0")
+reader = vtkXMLPolyDataReader()
+reader.SetFileName(os.path.join(FOLDER, "plain.vtp"))
+reader.Update()
+ct.check(reader.GetOutput().GetNumberOfPolys() < with_points, "--set InternalPoints=0 leaves them out")
+
+fails("There is no file", "nothing.cnt", "out.vtp")
+fails("cannot read '.xyz'", shutil.copy(brain, ct.output("brain.xyz")), "out.vtp")
+fails("cannot write '.obj'", brain, "out.obj")
+fails("There is no folder", brain, os.path.join("nowhere", "out.vtp"))
+fails("no property 'Nonsense'", brain, "out.vtp", "--set", "Nonsense=1")
+fails("PROPERTY=VALUE", brain, "out.vtp", "--set", "InternalPoints")
+fails("--roi needs a DICOM", brain, "out.vtp", "--roi", "Heart")
+with open(ct.output("broken.cnt"), "w", encoding="ascii") as file:
+    file.write("S 2\nv 3 z 0\n{\n0 0\n1 0\n")
+fails("broken.cnt", ct.output("broken.cnt"), "out.vtp")
+with open(ct.output("one.cnt"), "w", encoding="ascii") as file:
+    file.write("S 1\nv 3 z 0\n{\n0 0\n1 0\n0 1\n}\n")
+fails("plane", ct.output("one.cnt"), "out.vtp")
+ct.finish()

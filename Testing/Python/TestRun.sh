@@ -1,0 +1,37 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# `run`, from outside: a second run does no work twice, failures are one sentence, output goes where it should.
+# Usage: TestRun.sh SOURCE_DIR BINARY_DIR
+set -uo pipefail
+run="$1/run"
+export CONTOUR_BUILD_DIR="$2"
+status=0
+fail() { echo "FAILED: $*"; status=1; }
+
+plugin="$("$run" plugin)" || fail "run plugin fails"
+[[ "$plugin" == "$CONTOUR_BUILD_DIR"/*.so && -f "$plugin" ]] || fail "run plugin prints '$plugin'"
+
+before="$(stat -c %Y "$plugin")"
+log_lines="$(wc -l <"$CONTOUR_BUILD_DIR/.ninja_log")"
+"$run" build || fail "a second build fails"
+[[ "$(stat -c %Y "$plugin")" == "$before" ]] || fail "a second build links the plugin again"
+[[ "$(wc -l <"$CONTOUR_BUILD_DIR/.ninja_log")" == "$log_lines" ]] || fail "a second build compiles something"
+
+words="$("$run" nonsense 2>&1 >/dev/null)" && fail "an unknown command succeeds"
+grep -q "no command nonsense" <<<"$words" || fail "an unknown command is not named: $words"
+"$run" help | grep -q "reconstruct IN OUT" || fail "help does not show reconstruct"
+"$run" test --nonsense >/dev/null 2>&1 && fail "an unknown option of test is taken"
+
+# A user who may not install is told in one sentence what is missing, and nothing is tried.
+fake="$(mktemp -d)"
+trap 'rm -rf "$fake"' EXIT
+printf '#!/bin/sh\nexit 1\n' >"$fake/dpkg-query"
+printf '#!/bin/sh\necho 1000\n' >"$fake/id"
+chmod +x "$fake"/*
+for tool in bash dirname grep cat printf tail mktemp nproc awk rm; do
+  [[ -e "$fake/$tool" ]] || ln -s "$(command -v "$tool")" "$fake/$tool"
+done
+words="$(PATH="$fake" "$fake/bash" "$run" setup 2>&1)" && fail "setup succeeds without packages and rights"
+[[ "$(wc -l <<<"$words")" == 1 && "$words" == *"are missing"*paraview* ]] || fail "setup says: $words"
+((status == 0)) && echo "run: all checks passed"
+exit "$status"
