@@ -116,6 +116,11 @@ private:
     return true;
   }
 
+  bool SamePosition(int a, int b) const
+  {
+    return this->Shell.Vertices[a] == this->Shell.Vertices[b];
+  }
+
   bool ArePartners(int h, int g) const
   {
     return this->Shell.Partners[g] == h && this->Shell.Edges[g][0] == this->Shell.Edges[h][1] &&
@@ -169,7 +174,7 @@ private:
       for (std::size_t i = 0; i < loop.size(); ++i)
       {
         const int next = loop[(i + 1) % loop.size()];
-        if (this->Shell.Edges[loop[i]][1] != this->Shell.Edges[next][0])
+        if (!this->SamePosition(this->Shell.Edges[loop[i]][1], this->Shell.Edges[next][0]))
         {
           return this->Fail(name + "is no closed loop: " + this->Name(loop[i]) +
             " is followed by " + this->Name(next));

@@ -31,9 +31,11 @@ struct BRepShell
   std::vector<Point3> Vertices;
   std::vector<std::array<int, 2>>
     Edges; ///< a half-edge: the vertices that it comes from and goes to
-  std::vector<std::array<int, 3>> Faces;  ///< a triangle: its half-edges in order
-  std::vector<int> Partners;              ///< a half-edge: its partner
-  std::vector<std::vector<int>> Contours; ///< closed loops of half-edges
+  std::vector<std::array<int, 3>> Faces; ///< a triangle: its half-edges in order
+  std::vector<int> Partners;             ///< a half-edge: its partner
+  /// Closed loops of half-edges. Where a surface that pinches itself was cut apart into a manifold,
+  /// the next one may start at another vertex of the same position.
+  std::vector<std::vector<int>> Contours;
 };
 
 struct BRepShellSet

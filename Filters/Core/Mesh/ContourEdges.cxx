@@ -64,6 +64,7 @@ std::size_t ContourEdges::Hash::operator()(const Point3& p) const
 struct ContourEdges::Search
 {
   const SpaceLoop& Loop;
+  bool Hops; ///< go on from any point of the position reached
   std::vector<int> Path;
   /// Where the walk has been (edge of the loop, point, component): how it got there does not matter
   /// to how it can go on.
@@ -119,35 +120,40 @@ bool ContourEdges::FindFrom(Search& search, int start) const
     {
       search.Path.push_back(step.Edge);
     }
+    const Point3& here = this->Mesh.Points[step.Point];
     if (step.Corner == corners)
     {
-      if (step.Point == start)
+      if (step.Point == start || (search.Hops && here == this->Mesh.Points[start]))
       {
         return true;
       }
       continue;
     }
-    if (!search.Visited.insert({ step.Corner, step.Point, step.Component }).second)
-    {
-      continue;
-    }
     const Point3& goal = loop[(step.Corner + 1) % corners];
-    const int* end = this->Edges.EndFrom(step.Point);
-    for (const int* h = this->Edges.BeginFrom(step.Point); h != end; ++h)
+    const std::vector<int> onlyThis{ step.Point };
+    for (const int point : search.Hops ? this->PointsAt.at(here) : onlyThis)
     {
-      const int component = this->Components[*h / 3];
-      if (step.Component >= 0 && component != step.Component)
+      if (!search.Visited.insert({ step.Corner, point, step.Component }).second)
       {
         continue;
       }
-      const int to = this->Edges.To(*h);
-      if (this->Mesh.Points[to] == goal)
+      const int* end = this->Edges.EndFrom(point);
+      for (const int* h = this->Edges.BeginFrom(point); h != end; ++h)
       {
-        stack.push_back({ step.Corner + 1, to, component, *h, search.Path.size() });
-      }
-      else if (this->Advances(loop, step.Corner, step.Point, to))
-      {
-        stack.push_back({ step.Corner, to, component, *h, search.Path.size() });
+        const int component = this->Components[*h / 3];
+        if (step.Component >= 0 && component != step.Component)
+        {
+          continue;
+        }
+        const int to = this->Edges.To(*h);
+        if (this->Mesh.Points[to] == goal)
+        {
+          stack.push_back({ step.Corner + 1, to, component, *h, search.Path.size() });
+        }
+        else if (this->Advances(loop, step.Corner, point, to))
+        {
+          stack.push_back({ step.Corner, to, component, *h, search.Path.size() });
+        }
       }
     }
   }
@@ -162,12 +168,16 @@ std::vector<int> ContourEdges::Find(const SpaceLoop& given) const
   {
     return {};
   }
-  for (const int start : starts->second)
+  // Hops only where there is no way without: where a pinched surface was cut apart at the contour.
+  for (const bool hops : { false, true })
   {
-    Search search{ loop, {}, {} };
-    if (this->FindFrom(search, start))
+    for (const int start : starts->second)
     {
-      return search.Path;
+      Search search{ loop, hops, {}, {} };
+      if (this->FindFrom(search, start))
+      {
+        return search.Path;
+      }
     }
   }
   return {};

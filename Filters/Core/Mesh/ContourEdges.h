@@ -22,7 +22,9 @@ public:
   ContourEdges(
     const TriangleMesh& mesh, const HalfEdges& edges, const std::vector<int>& components);
 
-  /// The half-edges along the loop, end to start and closed; empty where there are none.
+  /// The half-edges along the loop, each from where the one before ends, round to the first; empty
+  /// where there are none. Only where there is no other way is an end another point of the same
+  /// position than the next start.
   std::vector<int> Find(const SpaceLoop& loop) const;
 
 private:

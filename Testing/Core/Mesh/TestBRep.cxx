@@ -212,6 +212,29 @@ TEST(BRep, AContourIsFoundWhereItsPointsAreDoubled)
   EXPECT_EQ(OnlyShell(brep).Contours.size(), 1u);
 }
 
+TEST(BRep, AContourHopsWhereAPinchWasCutOpen)
+{
+  // Corner (1, 0, 1) of the belt has a second point of its position, which the upper triangles on
+  // one side use: a slit along an edge down to it, as a cut through a pinch leaves.
+  TriangleMesh mesh = MakeBelt();
+  const int copy = static_cast<int>(mesh.Points.size());
+  mesh.Points.push_back(mesh.Points[5]);
+  for (auto& t : mesh.Triangles)
+  {
+    Point3 middle = mesh.Points[t[0]] + (mesh.Points[t[1]] + mesh.Points[t[2]]);
+    if (middle[0] > 2.9) // the side x = 1
+    {
+      std::replace(t.begin(), t.end(), 5, copy);
+    }
+  }
+  const BRep brep = Make(mesh, { MiddleOfBelt() });
+  const BRepShell& shell = OnlyShell(brep);
+  EXPECT_EQ(FindShellDefect(shell), "");
+  const SpaceLoop expected{ { 0, 0, 1 }, { 0.25, 0, 1 }, { 1, 0, 1 }, { 1, 1, 1 }, { 0, 1, 1 } };
+  ASSERT_EQ(shell.Contours.size(), 2u) << "the contour, and the slit's border";
+  EXPECT_EQ(PointsOf(shell, shell.Contours[0]), expected);
+}
+
 TEST(BRep, ContoursThatAreNotOnTheSurfaceAreNamed)
 {
   SpaceLoop diagonal = { { 0, 0, 1 }, { 1, 1, 1 }, { 0, 1, 1 } };
