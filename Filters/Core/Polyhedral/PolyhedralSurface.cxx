@@ -81,10 +81,12 @@ private:
     const SolidComplex& solid, const SolidBoundary& boundary, const SolidBoundary::Face& face)
   {
     const int level = solid.Vertices[boundary.Points[face.Points[0]].Vertex].Level;
+    const auto isOff = [&](int v)
+    { return v >= 0 && (solid.Vertices[v].Lifted || solid.Vertices[v].Level != level); };
     for (int p : face.Points)
     {
-      const auto& vertex = solid.Vertices[boundary.Points[p].Vertex];
-      if (vertex.Lifted || vertex.Level != level)
+      // The middle of a halved edge lies in the plane where both ends do.
+      if (isOff(boundary.Points[p].Vertex) || isOff(boundary.Points[p].OtherVertex))
       {
         return false;
       }

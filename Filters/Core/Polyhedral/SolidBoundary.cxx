@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <map>
 #include <numeric>
 #include <unordered_map>
 #include <utility>
@@ -160,33 +161,66 @@ private:
       static_cast<std::uint32_t>(std::max(a, b));
   }
 
+  /// Of an edge of the boundary its two ends as vertices of the solid.
+  std::uint64_t VertexKeyOf(int halfEdge) const
+  {
+    const auto& points = this->Boundary.Faces[halfEdge / 3].Points;
+    return KeyOf(this->Boundary.Points[points[halfEdge % 3]].Vertex,
+      this->Boundary.Points[points[(halfEdge % 3 + 1) % 3]].Vertex);
+  }
+
+  std::uint64_t PointKeyOf(int halfEdge) const
+  {
+    const auto& points = this->Boundary.Faces[halfEdge / 3].Points;
+    return KeyOf(points[halfEdge % 3], points[(halfEdge % 3 + 1) % 3]);
+  }
+
   /**
    * Two wedges may still share an edge where the fans of both its ends run through both of them.
    *
-   * There no cut helps; the edge of each wedge but the first gets a point of its own in the middle.
+   * There no cut helps; the edge of each wedge gets a point of its own in the middle. All wedges at
+   * the edge are halved and not only those in the way: the middle is rounded, and faces of a wedge
+   * that went on straight beside it would cross those that do not.
    */
   void HalveSharedEdges()
   {
+    // By vertices: the wedges at an edge where more than two faces meet.
     std::unordered_map<std::uint64_t, int> firstOf;
-    std::vector<int> halve;
-    std::unordered_map<std::uint64_t, int> fourFold;
-    for (std::size_t h = 0; h < this->Partner.size(); ++h)
+    std::map<std::uint64_t, std::vector<int>> wedges;
+    for (std::size_t i = 0; i < this->Partner.size(); ++i)
     {
-      const auto& points = this->Boundary.Faces[h / 3].Points;
-      const int a = points[h % 3], b = points[(h % 3 + 1) % 3];
-      const int partner = this->Partner[h];
-      if (static_cast<int>(h) > partner)
+      const int h = static_cast<int>(i);
+      if (h > this->Partner[i])
       {
         continue;
       }
-      if (!firstOf.emplace(KeyOf(a, b), static_cast<int>(h)).second)
+      const auto known = firstOf.emplace(this->VertexKeyOf(h), h);
+      if (!known.second)
       {
-        halve.push_back(static_cast<int>(h));
+        auto& here = wedges[known.first->first];
+        if (here.empty())
+        {
+          here.push_back(known.first->second);
+        }
+        here.push_back(h);
       }
-      const int v = this->Boundary.Points[a].Vertex, w = this->Boundary.Points[b].Vertex;
-      this->Boundary.CutEdges += ++fourFold[KeyOf(v, w)] == 2 ? 1 : 0;
     }
-    this->Boundary.HalvedEdges = static_cast<int>(halve.size());
+    this->Boundary.CutEdges = static_cast<int>(wedges.size());
+    std::vector<int> halve;
+    for (const auto& entry : wedges)
+    {
+      std::vector<std::uint64_t> keys;
+      for (int h : entry.second)
+      {
+        keys.push_back(this->PointKeyOf(h));
+      }
+      std::sort(keys.begin(), keys.end());
+      if (std::adjacent_find(keys.begin(), keys.end()) != keys.end())
+      {
+        halve.insert(halve.end(), entry.second.begin(), entry.second.end());
+        ++this->Boundary.HalvedEdges;
+      }
+    }
     this->InsertMiddles(halve);
   }
 
