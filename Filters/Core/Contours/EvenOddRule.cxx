@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "EvenOddRule.h"
 
+#include "../DisjointSets.h"
 #include "EdgeConflicts.h"
 #include "LoopOrder.h"
 #include "LoopTracing.h"
@@ -22,34 +23,6 @@ std::size_t Index(int i)
 {
   return static_cast<std::size_t>(i);
 }
-
-/// Loops that have something to do with one another.
-class DisjointSets
-{
-public:
-  explicit DisjointSets(std::size_t count) : Parent(count)
-  {
-    std::iota(this->Parent.begin(), this->Parent.end(), 0);
-  }
-  int Find(int x)
-  {
-    while (this->Parent[Index(x)] != x)
-    {
-      this->Parent[Index(x)] = this->Parent[Index(this->Parent[Index(x)])];
-      x = this->Parent[Index(x)];
-    }
-    return x;
-  }
-  void Join(int x, int y)
-  {
-    x = this->Find(x);
-    y = this->Find(y);
-    this->Parent[Index(std::max(x, y))] = std::min(x, y);
-  }
-
-private:
-  std::vector<int> Parent;
-};
 
 class EvenOdd
 {
@@ -326,7 +299,7 @@ private:
 
   std::vector<Point2>& Points;
   const std::vector<std::vector<int>>& Loops;
-  DisjointSets Sets;
+  DisjointSets Sets; ///< loops that have something to do with one another
   std::vector<Count> Counts;
   std::vector<bool> Trouble;
   std::vector<PlanarEdge> Edges;

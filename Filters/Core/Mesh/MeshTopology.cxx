@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "MeshTopology.h"
 
+#include "../DisjointSets.h"
 #include "../Monitor.h"
 #include "ComponentNesting.h"
 #include "MassProperties.h"
@@ -18,36 +19,6 @@ namespace recon
 {
 namespace
 {
-/// Disjoint sets of 0..n-1, the smallest member being the name of each.
-class DisjointSets
-{
-public:
-  explicit DisjointSets(std::size_t count) : Parent(count)
-  {
-    std::iota(this->Parent.begin(), this->Parent.end(), 0);
-  }
-
-  int Find(int i)
-  {
-    while (this->Parent[i] != i)
-    {
-      this->Parent[i] = this->Parent[this->Parent[i]];
-      i = this->Parent[i];
-    }
-    return i;
-  }
-
-  void Join(int i, int j)
-  {
-    i = this->Find(i);
-    j = this->Find(j);
-    this->Parent[std::max(i, j)] = std::min(i, j);
-  }
-
-private:
-  std::vector<int> Parent;
-};
-
 bool IsCollapsed(const std::array<int, 3>& t)
 {
   return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "SolidBoundary.h"
 
+#include "../DisjointSets.h"
+
 #include <algorithm>
 #include <cstdint>
 #include <map>
-#include <numeric>
 #include <unordered_map>
 #include <utility>
 
@@ -15,36 +16,6 @@ namespace
 /// Corners of the face opposite vertex k of a positively oriented tetrahedron, seen from outside.
 constexpr std::array<std::array<int, 3>, 4> OutwardFace{ { { { 1, 2, 3 } }, { { 0, 3, 2 } },
   { { 0, 1, 3 } }, { { 0, 2, 1 } } } };
-
-class DisjointSets
-{
-public:
-  explicit DisjointSets(std::size_t count) : Parent(count)
-  {
-    std::iota(this->Parent.begin(), this->Parent.end(), 0);
-  }
-
-  int Find(int i)
-  {
-    while (this->Parent[i] != i)
-    {
-      this->Parent[i] = this->Parent[this->Parent[i]];
-      i = this->Parent[i];
-    }
-    return i;
-  }
-
-  /// The lesser number represents a set, so that the order of union does not matter.
-  void Unite(int i, int j)
-  {
-    i = this->Find(i);
-    j = this->Find(j);
-    this->Parent[std::max(i, j)] = std::min(i, j);
-  }
-
-private:
-  std::vector<int> Parent;
-};
 
 class Extraction
 {
@@ -98,7 +69,8 @@ private:
     {
       const auto& vertices = this->Solid.Cells[cell].Vertices;
       int leave = 0;
-      while (leave == entered || vertices[leave] == a || vertices[leave] == b)
+      // Three of the four vertices are a, b and the one just entered opposite to.
+      while (leave < 3 && (leave == entered || vertices[leave] == a || vertices[leave] == b))
       {
         ++leave;
       }
@@ -135,8 +107,8 @@ private:
     {
       const int face = static_cast<int>(h / 3), j = static_cast<int>(h % 3);
       const int other = this->Partner[h] / 3, i = this->Partner[h] % 3;
-      sets.Unite(3 * face + j, 3 * other + (i + 1) % 3);
-      sets.Unite(3 * face + (j + 1) % 3, 3 * other + i);
+      sets.Join(3 * face + j, 3 * other + (i + 1) % 3);
+      sets.Join(3 * face + (j + 1) % 3, 3 * other + i);
     }
     std::vector<int> pointOf(3 * faces.size(), -1);
     std::vector<unsigned char> seen(this->Solid.Vertices.size(), 0);
