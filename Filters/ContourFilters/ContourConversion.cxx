@@ -185,6 +185,37 @@ ConvertedLoops ToLoopSoup(vtkPolyData* input)
   return loops;
 }
 
+std::vector<int> ToPolyData(const LoopSoup& soup, vtkPolyData* output)
+{
+  output->Initialize();
+  output->SetPoints(MakePoints(soup.Points));
+  vtkNew<vtkCellArray> vertices;
+  vtkNew<vtkCellArray> lines;
+  std::vector<int> chains;
+  std::vector<int> lineChains;
+  for (std::size_t c = 0; c < soup.Chains.size(); ++c)
+  {
+    const LoopSoup::Chain& chain = soup.Chains[c];
+    const bool isPoint = chain.Points.size() == 1;
+    const bool repeatsFirst = !isPoint && chain.Closed;
+    vtkCellArray* cells = isPoint ? vertices.Get() : lines.Get();
+    cells->InsertNextCell(static_cast<int>(chain.Points.size()) + (repeatsFirst ? 1 : 0));
+    for (int p : chain.Points)
+    {
+      cells->InsertCellPoint(p);
+    }
+    if (repeatsFirst)
+    {
+      cells->InsertCellPoint(chain.Points.front());
+    }
+    (isPoint ? chains : lineChains).push_back(static_cast<int>(c));
+  }
+  output->SetVerts(vertices);
+  output->SetLines(lines);
+  chains.insert(chains.end(), lineChains.begin(), lineChains.end());
+  return chains;
+}
+
 void ToPolyData(const ContourSet& set, const std::vector<std::string>& report, vtkPolyData* output)
 {
   output->Initialize();

@@ -40,6 +40,14 @@ struct ConvertedLoops
 [[nodiscard]] CONTOURFILTERS_EXPORT ConvertedLoops ToLoopSoup(vtkPolyData* input);
 
 /**
+ * Contours as a file has them: closed chains become polylines, last point id = first, open ones
+ * polylines, single points vertices. Attributes are the caller's.
+ *
+ * @return the chain of every cell, in the order of cells (vtkPolyData puts vertices before lines)
+ */
+CONTOURFILTERS_EXPORT std::vector<int> ToPolyData(const LoopSoup& soup, vtkPolyData* output);
+
+/**
  * Closed polylines, last point id = first, with cell arrays `Level`, `ContourId`, `Depth`, `Parent`
  * (ContourId or -1), `SignedArea`, and field data `LevelNormal` (3 components), `LevelOffset`,
  * `Report`.

@@ -1,19 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkCurveNetworkReader.h"
 
-#include "ContourOutput.h"
+#include "ContourConversion.h"
 #include "CurveNetworkParser.h"
 #include "vtkContourMonitor.h"
 
 #include "vtkCellData.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkErrorCode.h"
+#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPartitionedDataSet.h"
 #include "vtkPartitionedDataSetCollection.h"
+#include "vtkPolyData.h"
 
 #include <string>
 #include <utility>
@@ -68,7 +71,7 @@ namespace
 {
 void FillMaterial(const recon::MaterialContours& material, vtkPolyData* output)
 {
-  const std::vector<int> chains = recon::FillPolyData(material.Soup, output);
+  const std::vector<int> chains = recon::ToPolyData(material.Soup, output);
   vtkNew<vtkIntArray> planes;
   planes->SetName("Plane");
   for (const int chain : chains)
@@ -184,6 +187,6 @@ int vtkCurveNetworkReader::RequestData(
   {
     FillMaterials(*network, collection);
   }
-  recon::AddReport(network->Report, output->GetFieldData());
+  recon::SetReport(network->Report, output);
   return 1;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkRTStructureSetReader.h"
 
-#include "ContourOutput.h"
+#include "ContourConversion.h"
 #include "StructureSetFile.h"
 #include "vtkContourMonitor.h"
 
@@ -9,12 +9,16 @@
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArraySelection.h"
 #include "vtkErrorCode.h"
+#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPartitionedDataSet.h"
 #include "vtkPartitionedDataSetCollection.h"
+#include "vtkPolyData.h"
+#include "vtkStringArray.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -52,7 +56,7 @@ void AddROIFieldData(const recon::StructureSetROI& roi, vtkFieldData* fieldData)
 
 void FillBlock(const recon::StructureSetContours& contours, vtkPolyData* block)
 {
-  const std::vector<int> chains = recon::FillPolyData(contours.File.Soup, block);
+  const std::vector<int> chains = recon::ToPolyData(contours.File.Soup, block);
   vtkNew<vtkStringArray> types;
   types->SetName("GeometricType");
   vtkNew<vtkIntArray> numbers;
@@ -64,7 +68,7 @@ void FillBlock(const recon::StructureSetContours& contours, vtkPolyData* block)
   }
   block->GetCellData()->AddArray(types);
   block->GetCellData()->AddArray(numbers);
-  recon::AddReport(contours.File.Report, block->GetFieldData());
+  recon::SetReport(contours.File.Report, block);
 }
 }
 
@@ -201,7 +205,7 @@ int vtkRTStructureSetReader::RequestData(
       report.insert(report.end(), contours.File.Report.begin(), contours.File.Report.end());
       ++block;
     }
-    recon::AddReport(report, output->GetFieldData());
+    recon::SetReport(report, output);
     this->SetErrorCode(vtkErrorCode::NoError);
     return 1;
   }

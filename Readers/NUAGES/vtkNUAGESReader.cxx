@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkNUAGESReader.h"
 
-#include "ContourOutput.h"
+#include "ContourConversion.h"
 #include "NUAGESParser.h"
 #include "vtkContourMonitor.h"
 
@@ -9,6 +9,7 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
 
 vtkStandardNewMacro(vtkNUAGESReader);
 
@@ -47,8 +48,8 @@ int vtkNUAGESReader::RequestData(
   {
     vtkContourMonitor monitor(this);
     const recon::ContourFile file = recon::ReadNUAGES(this->FileName, monitor);
-    recon::FillPolyData(file.Soup, output);
-    recon::AddReport(file.Report, output->GetFieldData());
+    recon::ToPolyData(file.Soup, output);
+    recon::SetReport(file.Report, output);
     this->SetErrorCode(vtkErrorCode::NoError);
     return 1;
   }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <map>
+#include <ostream>
 #include <set>
 
 using namespace readertesting;
@@ -63,6 +64,12 @@ struct Expected
   std::size_t Swapped;
   std::size_t Unfit;
 };
+
+/// The name of the test is that of the file.
+void PrintTo(const Expected& expected, std::ostream* os)
+{
+  *os << expected.Name;
+}
 
 class RealCurveNetwork : public testing::TestWithParam<Expected>
 {

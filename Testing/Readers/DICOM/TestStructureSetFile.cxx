@@ -5,6 +5,7 @@
 #include "StructureSetFile.h"
 
 #include <map>
+#include <ostream>
 
 using namespace readertesting;
 
@@ -29,6 +30,12 @@ struct Expected
   std::size_t Contours;
   std::size_t Points;
 };
+
+/// The name of the test is that of the file.
+void PrintTo(const Expected& expected, std::ostream* os)
+{
+  *os << expected.Name;
+}
 
 class RealStructureSet : public testing::TestWithParam<Expected>
 {

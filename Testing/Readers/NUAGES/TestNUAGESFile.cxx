@@ -7,6 +7,7 @@
 #include <clocale>
 #include <cmath>
 #include <limits>
+#include <ostream>
 #include <set>
 
 using namespace readertesting;
@@ -46,6 +47,12 @@ struct Expected
   std::size_t Contours;
   std::size_t Points;
 };
+
+/// The name of the test is that of the file.
+void PrintTo(const Expected& expected, std::ostream* os)
+{
+  *os << expected.Name;
+}
 
 class RealNUAGESFile : public testing::TestWithParam<Expected>
 {
