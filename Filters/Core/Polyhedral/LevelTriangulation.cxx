@@ -40,9 +40,31 @@ struct FaceInfo
   std::array<int, 3> EdgeContour{ { -1, -1, -1 } };
 };
 
-using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<VertexInfo, Kernel>;
+/// Handles compare by age and not by address: CGAL refines edges in an order that follows from
+/// comparing handles, so the result would differ from run to run and between numbers of threads.
+template <typename Base>
+class Stamped : public Base
+{
+public:
+  using Has_timestamp = CGAL::Tag_true;
+  template <typename Structure>
+  struct Rebind_TDS
+  {
+    using Other = Stamped<typename Base::template Rebind_TDS<Structure>::Other>;
+  };
+
+  using Base::Base;
+
+  std::size_t time_stamp() const { return this->Stamp; }
+  void set_time_stamp(const std::size_t& stamp) { this->Stamp = stamp; }
+
+private:
+  std::size_t Stamp = static_cast<std::size_t>(-1); // CGAL's word for "none yet"
+};
+
+using VertexBase = Stamped<CGAL::Triangulation_vertex_base_with_info_2<VertexInfo, Kernel>>;
 using FaceBase0 = CGAL::Constrained_triangulation_face_base_2<Kernel>;
-using FaceBase = CGAL::Triangulation_face_base_with_info_2<FaceInfo, Kernel, FaceBase0>;
+using FaceBase = Stamped<CGAL::Triangulation_face_base_with_info_2<FaceInfo, Kernel, FaceBase0>>;
 using Structure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
 using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure>;
 using VertexHandle = Triangulation::Vertex_handle;
