@@ -103,12 +103,14 @@ TEST_F(NUAGESFile, DoesNotDependOnTheLocale)
 {
   // A locale with a decimal comma, where the machine has one; the number must not end at the point.
   const std::string before = std::setlocale(LC_ALL, nullptr);
+  const char* found = nullptr;
   for (const char* name : { "de_DE.UTF-8", "fr_FR.UTF-8", "de_DE.utf8" })
   {
-    if (std::setlocale(LC_ALL, name))
-    {
-      break;
-    }
+    found = found ? found : std::setlocale(LC_ALL, name);
+  }
+  if (!found)
+  {
+    GTEST_SKIP() << "this machine has no locale with a decimal comma";
   }
   const recon::ContourFile file = this->Read(this->Folder::Write("a.cnt", TwoSections));
   std::setlocale(LC_ALL, before.c_str());
