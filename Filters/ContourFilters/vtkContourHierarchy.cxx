@@ -3,57 +3,15 @@
 
 #include "ContourConversion.h"
 #include "Contours/ContourSetBuilder.h"
+#include "InputArrays.h"
 #include "vtkContourMonitor.h"
 
-#include "vtkCellData.h"
-#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
 vtkStandardNewMacro(vtkContourHierarchy);
-
-namespace
-{
-/// What the input knew about a cell stays with the contours that came from it.
-void PassCellData(const recon::ContourSet& set, vtkPolyData* input, vtkPolyData* output)
-{
-  vtkCellData* from = input->GetCellData();
-  vtkCellData* to = output->GetCellData();
-  for (int a = 0; a < from->GetNumberOfArrays(); ++a)
-  {
-    vtkAbstractArray* array = from->GetAbstractArray(a);
-    if (!array->GetName() || to->HasArray(array->GetName()))
-    {
-      continue;
-    }
-    const auto copy = vtk::TakeSmartPointer(array->NewInstance());
-    copy->SetName(array->GetName());
-    copy->SetNumberOfComponents(array->GetNumberOfComponents());
-    copy->SetNumberOfTuples(static_cast<vtkIdType>(set.Contours.size()));
-    for (std::size_t c = 0; c < set.Contours.size(); ++c)
-    {
-      copy->SetTuple(static_cast<vtkIdType>(c), set.Contours[c].Source, array);
-    }
-    to->AddArray(copy);
-  }
-}
-
-void PassFieldData(vtkPolyData* input, vtkPolyData* output)
-{
-  vtkFieldData* from = input->GetFieldData();
-  vtkFieldData* to = output->GetFieldData();
-  for (int a = 0; a < from->GetNumberOfArrays(); ++a)
-  {
-    vtkAbstractArray* array = from->GetAbstractArray(a);
-    if (array->GetName() && !to->HasArray(array->GetName()))
-    {
-      to->AddArray(array);
-    }
-  }
-}
-}
 
 void vtkContourHierarchy::PrintSelf(ostream& os, vtkIndent indent)
 {
@@ -77,7 +35,7 @@ int vtkContourHierarchy::RequestData(
   {
     // Regions of interest without contours are common; in a collection they must not stop the
     // others.
-    PassFieldData(input, output);
+    recon::PassInputFieldData(input, output);
     return 1;
   }
   try
@@ -91,8 +49,8 @@ int vtkContourHierarchy::RequestData(
     std::vector<std::string> report = recon::GetReport(input);
     report.insert(report.end(), loops.Report.begin(), loops.Report.end());
     recon::ToPolyData(set, report, output);
-    PassCellData(set, input, output);
-    PassFieldData(input, output);
+    recon::PassCellData(set, input, output);
+    recon::PassInputFieldData(input, output);
     return 1;
   }
   catch (const recon::Aborted&)

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "JoinTable.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkStringArray.h"
+#include "vtkTable.h"
+#include "vtkVariant.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
+#include <type_traits>
+
+namespace recon
+{
+namespace
+{
+/// A whole number, or none for an empty cell.
+std::optional<int> IntOf(vtkTable* table, vtkIdType row, const char* column)
+{
+  const vtkVariant value = table->GetValueByName(row, column);
+  if (!value.IsValid() || value.ToString().find_first_not_of(" \t") == std::string::npos)
+  {
+    return {};
+  }
+  bool valid = false;
+  const double number = value.ToDouble(&valid);
+  if (!valid || std::floor(number) != number || std::abs(number) > std::numeric_limits<int>::max())
+  {
+    throw Error("Row " + std::to_string(row) + " of the table of overrides has '" +
+      std::string(value.ToString()) + "' in column " + column + ", which is no whole number.");
+  }
+  return static_cast<int>(number);
+}
+
+std::string ContoursOf(const ContourMapping& mapping, int region)
+{
+  if (region < 0)
+  {
+    return {};
+  }
+  const ContourRegion& r = mapping.Regions[static_cast<std::size_t>(region)];
+  std::string text = std::to_string(r.Wall);
+  for (int hole : r.Holes)
+  {
+    text += " " + std::to_string(hole);
+  }
+  return text;
+}
+
+std::string RuleOf(const ContourJoin& join)
+{
+  switch (join.Rule)
+  {
+    case ContourJoin::ByOverlap:
+      return "Overlap";
+    case ContourJoin::Forced:
+      return "Forced";
+    case ContourJoin::Forbidden:
+      return "Forbidden";
+    case ContourJoin::GapTooWide:
+      return "Gap too wide";
+    case ContourJoin::NoPartner:
+      return "No partner";
+    case ContourJoin::InternalWall:
+      return "Internal wall " + std::to_string(join.InternalWallRule);
+  }
+  return {};
+}
+
+/// A column that is filled by a function of the join.
+template <typename Array, typename Value>
+void AddColumn(const ContourMapping& mapping, vtkTable* table, const char* name, Value valueOf)
+{
+  vtkNew<Array> array;
+  array->SetName(name);
+  array->SetNumberOfValues(static_cast<vtkIdType>(mapping.Joins.size()));
+  for (std::size_t j = 0; j < mapping.Joins.size(); ++j)
+  {
+    array->SetValue(static_cast<vtkIdType>(j), valueOf(mapping.Joins[j]));
+  }
+  table->AddColumn(array);
+}
+}
+
+void ReadJoinOverrides(vtkTable* table, ContourMappingOptions& options)
+{
+  for (const char* name : { "LowerContour", "UpperContour", "Join" })
+  {
+    if (!table->GetColumnByName(name))
+    {
+      throw Error(std::string("The table of overrides has no column ") + name +
+        ": give LowerContour, UpperContour and Join (1 force, 0 forbid).");
+    }
+  }
+  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
+  {
+    const std::optional<int> lower = IntOf(table, row, "LowerContour");
+    const std::optional<int> upper = IntOf(table, row, "UpperContour");
+    const std::optional<int> join = IntOf(table, row, "Join");
+    if (!lower || !upper || !join || *lower < 0 || *upper < 0)
+    {
+      continue;
+    }
+    if (*join != 0 && *join != 1)
+    {
+      throw Error("Row " + std::to_string(row) + " of the table of overrides has " +
+        std::to_string(*join) + " in column Join: give 1 to force and 0 to forbid.");
+    }
+    (*join == 1 ? options.ForcedJoins : options.ForbiddenJoins).emplace_back(*lower, *upper);
+  }
+}
+
+void WriteJoins(const ContourMapping& mapping, vtkTable* table)
+{
+  const auto add = [&](const char* name, auto valueOf)
+  {
+    using Value = decltype(valueOf(mapping.Joins.front()));
+    if constexpr (std::is_same_v<Value, int>)
+    {
+      AddColumn<vtkIntArray>(mapping, table, name, valueOf);
+    }
+    else if constexpr (std::is_same_v<Value, double>)
+    {
+      AddColumn<vtkDoubleArray>(mapping, table, name, valueOf);
+    }
+    else
+    {
+      AddColumn<vtkStringArray>(mapping, table, name, valueOf);
+    }
+  };
+  const auto isSolid = [&](const ContourJoin& join)
+  {
+    const int region = std::max(join.LowerRegion, join.UpperRegion);
+    return mapping.Regions[static_cast<std::size_t>(region)].Solid ? 1 : 0;
+  };
+  add("Slab", [](const ContourJoin& join) { return join.Slab; });
+  // Region i is the one inside contour i.
+  add("LowerContour", [](const ContourJoin& join) { return join.LowerRegion; });
+  add("UpperContour", [](const ContourJoin& join) { return join.UpperRegion; });
+  add("LowerContours",
+    [&](const ContourJoin& join) { return ContoursOf(mapping, join.LowerRegion); });
+  add("UpperContours",
+    [&](const ContourJoin& join) { return ContoursOf(mapping, join.UpperRegion); });
+  add("OverlapArea", [](const ContourJoin& join) { return join.OverlapArea; });
+  add("LowerRatio", [](const ContourJoin& join) { return join.LowerRatio; });
+  add("UpperRatio", [](const ContourJoin& join) { return join.UpperRatio; });
+  add("Solid", isSolid);
+  add("Rule", [](const ContourJoin& join) { return RuleOf(join); });
+  add("Joined", [](const ContourJoin& join) { return join.Joined ? 1 : 0; });
+  add("Words", [](const ContourJoin& join) { return join.Words; });
+}
+}

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @file JoinTable.h
+ * @brief Decisions of the mapping as a vtkTable, and overrides out of one.
+ */
+#ifndef JoinTable_h
+#define JoinTable_h
+
+#include "ContourFiltersModule.h" // for export macro
+#include "Contours/ContourMapping.h"
+
+class vtkTable;
+
+namespace recon
+{
+/**
+ * Appends a table's rows to the forced and forbidden joins.
+ *
+ * Columns `LowerContour`, `UpperContour` (ContourId; either order) and `Join` (1 force, 0 forbid)
+ * of any type that holds whole numbers, also text such as a CSV file gives. A row with -1 for a
+ * contour or an empty `Join` asks for nothing. Further columns do not matter.
+ *
+ * @throws Error where a column is missing or a value is no number of that kind
+ */
+CONTOURFILTERS_EXPORT void ReadJoinOverrides(vtkTable* table, ContourMappingOptions& options);
+
+/**
+ * A row a decision: `Slab`, `LowerContour`, `UpperContour` (the walls; -1: the empty region),
+ * `LowerContours`, `UpperContours` (text: the wall, then the contours directly inside it),
+ * `OverlapArea`, `LowerRatio`, `UpperRatio`, `Solid` (1 solid, 0 hole), `Rule` (text), `Joined`,
+ * `Words`.
+ */
+CONTOURFILTERS_EXPORT void WriteJoins(const ContourMapping& mapping, vtkTable* table);
+}
+
+#endif
