@@ -251,7 +251,7 @@ def _values(data, name):
     return [array.GetValue(i) for i in range(array.GetNumberOfValues())] if array else []
 
 
-def _producer(data):
+def as_source(data):
     producer = simple.PVTrivialProducer()
     producer.GetClientSideObject().SetOutput(data)
     producer.UpdatePipeline()
@@ -266,7 +266,7 @@ def _detached(data):
 
 def reconstruct(contours, method="psm", settings=(), bar=None):
     """Contours to a certified surface."""
-    source = _producer(contours.data)
+    source = as_source(contours.data)
     node = _new(METHODS[method], Input=source)
     apply_settings(node, settings)
     total = run_proxy(node, bar)
@@ -289,7 +289,7 @@ def reconstruct(contours, method="psm", settings=(), bar=None):
 
 def certify(surface, contours_proxy, bar=None):
     """The certificate as a dictionary (its field data by name, and JSON), and the seconds it took."""
-    source = _producer(surface)
+    source = as_source(surface)
     node = _new("SurfaceCertificate", Input=source, Contours=contours_proxy)
     seconds = run_proxy(node, bar)
     data = node.GetClientSideObject().GetOutputDataObject(0)
@@ -331,8 +331,8 @@ def write_surface(path, result):
 
 def _write(path, extension, result):
     if extension == ".brep":
-        surface = _producer(result.surface)
-        contours = _producer(result.contours.data)
+        surface = as_source(result.surface)
+        contours = as_source(result.contours.data)
         writer = _new("BRepWriter", Input=surface, Contours=contours, FileName=path)
         algorithm = writer.GetClientSideObject()
         with _Watched(algorithm) as watched:
