@@ -5,13 +5,15 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <utility>
 
 namespace recon
 {
 namespace
 {
-constexpr int NumberOfTries = 8;
+/// Points of a component that are looked at.
+constexpr int QueriesAComponent = 8;
 
 struct Box
 {
@@ -90,8 +92,7 @@ public:
     : Mesh(mesh),
       ComponentOf(componentOfTriangle),
       Encloses(encloses),
-      Boxes(encloses.size()),
-      Depth(encloses.size(), 0)
+      Boxes(encloses.size())
   {
     std::vector<int> size(encloses.size(), 0);
     for (std::size_t t = 0; t < mesh.Triangles.size(); ++t)
@@ -106,28 +107,34 @@ public:
         this->Boxes[componentOfTriangle[t]].Add(mesh.Points[p]);
       }
     }
-    this->CollectCandidates(size);
+    this->CollectQueries(size);
   }
 
   std::vector<int> Run()
   {
-    std::vector<int> open(this->Encloses.size());
-    for (std::size_t c = 0; c < open.size(); ++c)
+    std::sort(this->Queries.begin(), this->Queries.end(),
+      [](const Query& a, const Query& b) { return a.Point[0] < b.Point[0]; });
+    this->CastAll();
+    const auto inside = this->CountInside();
+    const auto onSurface = this->CountOnSurface();
+    std::vector<int> depth(this->Encloses.size(), 0);
+    for (const auto& [pair, count] : inside)
     {
-      open[c] = static_cast<int>(c);
+      // Points on the other component speak neither for nor against.
+      const auto tied = onSurface.find(pair);
+      const int silent = tied == onSurface.end() ? 0 : tied->second;
+      depth[pair.first] += count + silent == this->NumberOfQueries[pair.first] ? 1 : 0;
     }
-    for (int attempt = 0; attempt < NumberOfTries && !open.empty(); ++attempt)
-    {
-      open = this->Try(open, attempt);
-    }
-    return this->Depth;
+    return depth;
   }
 
 private:
+  using Pair = std::pair<int, int>; ///< the component asked about, the one perhaps around it
+
   /// A corner of every eighth part of each component's triangles.
-  void CollectCandidates(const std::vector<int>& size)
+  void CollectQueries(const std::vector<int>& size)
   {
-    this->Candidates.resize(size.size());
+    this->NumberOfQueries.assign(size.size(), 0);
     std::vector<int> seen(size.size(), 0);
     for (std::size_t t = 0; t < this->Mesh.Triangles.size(); ++t)
     {
@@ -136,102 +143,100 @@ private:
       {
         continue;
       }
-      const int step = std::max(1, size[c] / NumberOfTries);
-      if (seen[c]++ % step == 0 && this->Candidates[c].size() < NumberOfTries)
+      const int step = std::max(1, size[c] / QueriesAComponent);
+      if (seen[c]++ % step == 0 && this->NumberOfQueries[c] < QueriesAComponent)
       {
-        this->Candidates[c].push_back(this->Mesh.Triangles[t][0]);
+        ++this->NumberOfQueries[c];
+        this->Queries.push_back({ this->Mesh.Points[this->Mesh.Triangles[t][0]], c });
       }
     }
   }
 
-  /// Settles what it can; returns the components whose point lies on another component.
-  std::vector<int> Try(const std::vector<int>& components, int attempt)
+  void CastAll()
   {
-    std::vector<Query> queries;
-    for (const int c : components)
-    {
-      const auto& candidates = this->Candidates[c];
-      queries.push_back({ this->Mesh.Points[candidates[attempt % candidates.size()]], c });
-    }
-    std::sort(queries.begin(), queries.end(),
-      [](const Query& a, const Query& b) { return a.Point[0] < b.Point[0]; });
-    std::vector<bool> onSurface(this->Depth.size(), false);
-    const auto hits = this->CastAll(queries, onSurface);
-    for (const auto& query : queries)
-    {
-      this->Depth[query.Component] = 0;
-    }
-    for (std::size_t i = 0; i < hits.size();)
-    {
-      std::size_t next = i;
-      while (next < hits.size() && hits[next] == hits[i])
-      {
-        ++next;
-      }
-      this->Depth[hits[i].first] += (next - i) % 2 != 0 ? 1 : 0;
-      i = next;
-    }
-    std::vector<int> open;
-    std::copy_if(components.begin(), components.end(), std::back_inserter(open),
-      [&](int c) { return onSurface[c]; });
-    return open;
-  }
-
-  /// (component of the ray's origin, component hit), sorted.
-  std::vector<std::pair<int, int>> CastAll(
-    const std::vector<Query>& queries, std::vector<bool>& onSurface) const
-  {
-    std::vector<std::pair<int, int>> hits;
-    if (queries.empty())
-    {
-      return hits;
-    }
     for (std::size_t t = 0; t < this->Mesh.Triangles.size(); ++t)
     {
       const int component = this->ComponentOf[t];
-      if (component < 0 || !this->Encloses[component])
+      if (component >= 0 && this->Encloses[component])
+      {
+        this->CastAt(this->Mesh.Triangles[t], component);
+      }
+    }
+    std::sort(this->Hits.begin(), this->Hits.end());
+    std::sort(this->Ties.begin(), this->Ties.end());
+    this->Ties.erase(std::unique(this->Ties.begin(), this->Ties.end()), this->Ties.end());
+  }
+
+  void CastAt(const std::array<int, 3>& corners, int component)
+  {
+    const Point3& a = this->Mesh.Points[corners[0]];
+    const Point3& b = this->Mesh.Points[corners[1]];
+    const Point3& c = this->Mesh.Points[corners[2]];
+    Box box;
+    box.Add(a);
+    box.Add(b);
+    box.Add(c);
+    auto query = std::lower_bound(this->Queries.begin(), this->Queries.end(), box.Low[0],
+      [](const Query& q, double x) { return q.Point[0] < x; });
+    for (; query != this->Queries.end() && query->Point[0] <= box.High[0]; ++query)
+    {
+      const Point3& p = query->Point;
+      if (query->Component == component || p[1] < box.Low[1] || p[1] > box.High[1] ||
+        p[2] > box.High[2] || !this->MayLieAround(component, query->Component))
       {
         continue;
       }
-      const auto& corners = this->Mesh.Triangles[t];
-      const Point3& a = this->Mesh.Points[corners[0]];
-      const Point3& b = this->Mesh.Points[corners[1]];
-      const Point3& c = this->Mesh.Points[corners[2]];
-      Box box;
-      box.Add(a);
-      box.Add(b);
-      box.Add(c);
-      auto query = std::lower_bound(queries.begin(), queries.end(), box.Low[0],
-        [](const Query& q, double x) { return q.Point[0] < x; });
-      for (; query != queries.end() && query->Point[0] <= box.High[0]; ++query)
+      const RayHit hit = CastUpward(p, a, b, c);
+      const int number = static_cast<int>(query - this->Queries.begin());
+      if (hit != RayHit::Miss)
       {
-        const Point3& p = query->Point;
-        if (query->Component == component || p[1] < box.Low[1] || p[1] > box.High[1] ||
-          p[2] > box.High[2] || !this->Boxes[component].Contains(p))
-        {
-          continue;
-        }
-        const RayHit hit = CastUpward(p, a, b, c);
-        if (hit == RayHit::Above)
-        {
-          hits.emplace_back(query->Component, component);
-        }
-        else if (hit == RayHit::OnTriangle)
-        {
-          onSurface[query->Component] = true;
-        }
+        (hit == RayHit::Above ? this->Hits : this->Ties).emplace_back(number, component);
       }
     }
-    std::sort(hits.begin(), hits.end());
-    return hits;
+  }
+
+  bool MayLieAround(int outer, int inner) const
+  {
+    return this->Boxes[outer].Contains(this->Boxes[inner].Low) &&
+      this->Boxes[outer].Contains(this->Boxes[inner].High);
+  }
+
+  /// How many points of the one lie inside the other and not on it: odd numbers of hits.
+  std::map<Pair, int> CountInside() const
+  {
+    std::map<Pair, int> inside;
+    for (std::size_t i = 0; i < this->Hits.size();)
+    {
+      const auto next = std::upper_bound(this->Hits.begin() + i, this->Hits.end(), this->Hits[i]);
+      const auto count = next - (this->Hits.begin() + i);
+      const bool tied = std::binary_search(this->Ties.begin(), this->Ties.end(), this->Hits[i]);
+      if (count % 2 != 0 && !tied)
+      {
+        ++inside[{ this->Queries[this->Hits[i].first].Component, this->Hits[i].second }];
+      }
+      i += count;
+    }
+    return inside;
+  }
+
+  std::map<Pair, int> CountOnSurface() const
+  {
+    std::map<Pair, int> onSurface;
+    for (const auto& tie : this->Ties)
+    {
+      ++onSurface[{ this->Queries[tie.first].Component, tie.second }];
+    }
+    return onSurface;
   }
 
   const TriangleMesh& Mesh;
   const std::vector<int>& ComponentOf;
   const std::vector<bool>& Encloses;
   std::vector<Box> Boxes;
-  std::vector<std::vector<int>> Candidates;
-  std::vector<int> Depth;
+  std::vector<Query> Queries;            ///< by increasing x
+  std::vector<int> NumberOfQueries;      ///< a component
+  std::vector<std::pair<int, int>> Hits; ///< query, component above its point
+  std::vector<std::pair<int, int>> Ties; ///< query, component that its point lies on
 };
 }
 

@@ -16,8 +16,9 @@ namespace recon
 /**
  * A component: the number of other components for which encloses is true that lie around it.
  *
- * Even-odd along a vertical ray from one point of the component, all decisions exact. Where that
- * point lies on another component, up to seven others are tried.
+ * Even-odd along vertical rays from up to eight points of the component, all decisions exact. A
+ * component lies around another where it does around all of these points that are not on its
+ * surface, so components that cross or stand side by side are around neither.
  */
 std::vector<int> FindComponentNesting(const TriangleMesh& mesh,
   const std::vector<int>& componentOfTriangle, const std::vector<bool>& encloses);

@@ -70,8 +70,7 @@ struct MeshTopology
 /**
  * All topological figures of a mesh.
  *
- * Time is near linear. Nesting is found by exact ray casting from one point of every component;
- * where closed components cross one another it is that of this point.
+ * Time is near linear. Nesting is found by exact ray casting, see FindComponentNesting.
  * @throws Error where an index is out of range or a coordinate is not finite.
  */
 MeshTopology CheckTopology(const TriangleMesh& mesh);

@@ -117,6 +117,16 @@ TEST(MeshTopology, NestingLooksPastPointsThatLieOnTheOther)
   EXPECT_EQ(CheckTopology(mesh).Nesting, (std::vector<int>{ 0, 1 }));
 }
 
+TEST(MeshTopology, ComponentsThatCrossAreAroundNeither)
+{
+  TriangleMesh mesh = MakeBox({ 0, 0, 0 }, { 2, 2, 2 });
+  Append(mesh, MakeBox({ 1, 0.5, 0.25 }, { 3, 1.5, 1.125 }));
+  Append(mesh, MakeBox({ 0.5, 0.5, 1.5 }, { 0.75, 0.75, 2.5 }));
+  const MeshTopology topology = CheckTopology(mesh);
+  EXPECT_EQ(topology.Nesting, (std::vector<int>{ 0, 0, 0 }));
+  EXPECT_TRUE(topology.Total.Outward);
+}
+
 TEST(MeshTopology, GenusOfRingChainAndSponge)
 {
   ExpectSound(MakeRingChain(5), { 1, 2 - 2 * 5, 5 });

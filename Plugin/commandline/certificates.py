@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Write the table of certificates: a row a region of interest, reconstructed by the Polyhedral Surface.
+
+    ./run certificates [SHARED_DATA [OUTPUT.md]]
+
+Rows are the contour files of Data/ and, where SHARED_DATA (default ../shared/data) is there, every region of
+every structure set, NUAGES file and parallel cross-section set of it. What cannot be reconstructed has a row
+that says why.
+"""
+import glob
+import os
+import sys
+
+import contourcli as cli
+
+SOURCE = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+TITLES = ["file", "region", "contours", "triangles", "components", "genus", "closed", "manifold", "outward",
+          "crossing", "overlapping", "touching", "smallest angle", "volume", "area", "vertex off", "edge off",
+          "worst level, %", "seconds"]
+
+
+def files(shared):
+    """(path, as shown)"""
+    own = sorted(glob.glob(os.path.join(SOURCE, "Data", "*.cnt")) + glob.glob(os.path.join(SOURCE, "Data", "*.csl")))
+    others = []
+    for pattern in ("rtstruct/*.dcm", "rtstruct/phantoms/*.dcm", "cnt/*.cnt", "csl/*.csl"):
+        others += sorted(glob.glob(os.path.join(shared, pattern)))
+    return ([(path, "Data/" + os.path.basename(path)) for path in own] +
+            [(path, os.path.relpath(path, shared)) for path in others])
+
+
+def number(value, digits=6):
+    return "" if value is None else f"{value:.{digits}g}"
+
+
+def yes(value):
+    return "yes" if value else "**no**"
+
+
+def zero(count):
+    return "0" if count == 0 else f"**{count}**"
+
+
+def row(shown, contours):
+    if contours.empty:
+        return [shown, contours.name, "0"] + ["no contours"] + [""] * (len(TITLES) - 4)
+    try:
+        result = cli.reconstruct(contours)
+    except cli.CommandError as error:
+        return [shown, contours.name, str(contours.data.GetNumberOfCells()), str(error)] + [""] * (len(TITLES) - 4)
+    total = result.certificate["JSON"]["Total"]
+    along = result.certificate["JSON"]["Contours"]
+    return [shown, contours.name, str(contours.data.GetNumberOfCells()), str(total["Triangles"]),
+            str(total["Components"]), number(total["Genus"]), yes(total["Closed"]),
+            yes(total["EdgeManifold"] and total["VertexManifold"] and total["Oriented"]), yes(total["Outward"]),
+            zero(total["CrossingPairs"]), zero(total["OverlappingPairs"]), str(total["TouchingPairs"]),
+            number(total["SmallestAngle"], 2), number(total["Volume"]), number(total["Area"]),
+            number(along["FarthestContourVertex"], 2), number(along["FarthestContourEdge"], 2),
+            number(along["WorstSectionPercent"], 2), f"{sum(s for _, s in result.seconds):.2f}"]
+
+
+def main():
+    shared = os.path.abspath(sys.argv[1] if len(sys.argv) > 1 else os.path.join(SOURCE, "..", "shared", "data"))
+    output = sys.argv[2] if len(sys.argv) > 2 else os.path.join(SOURCE, "Data", "CERTIFICATES.md")
+    cli.load_plugin()
+    rows = []
+    for path, shown in files(shared):
+        try:
+            blocks, _ = cli.read_contours(path)
+        except cli.CommandError as error:
+            rows.append([shown, "", "", str(error).replace(path, shown)] + [""] * (len(TITLES) - 4))
+            continue
+        for contours in blocks:
+            rows.append(row(shown, contours))
+            print("  ".join(rows[-1]), file=sys.stderr, flush=True)
+    with open(output, "w") as file:
+        file.write(
+            "# Certificates\n\n"
+            "Every region of interest, reconstructed by the Polyhedral Surface with default settings and examined "
+            "by the Surface Certificate. Written by `./run certificates`; units are those of the input, angles in "
+            "degrees. *Crossing*, *overlapping* and *touching* count pairs of triangles; touching is what a "
+            "surface cut apart into a manifold leaves. *Vertex off* and *edge off* are the farthest that a contour vertex "
+            "or edge is from the surface; *worst level* is the largest area, in percent of a level's contours, that "
+            "belongs to the contours or to the surface's section alone. Seconds are those of reconstruction and "
+            "certificate on two cores.\n\n")
+        file.write("| " + " | ".join(TITLES) + " |\n|" + "---|" * len(TITLES) + "\n")
+        for cells in rows:
+            file.write("| " + " | ".join(c.replace("|", "/") for c in cells) + " |\n")
+    print(f"{len(rows)} rows in {output}", file=sys.stderr)
+
+
+try:
+    main()
+except cli.CommandError as failure:
+    sys.exit(f"certificates: {failure}")
