@@ -200,7 +200,11 @@ void WriteOn(const Block& block)
     AddSections(block);
   }
   auto lines = recon::ToShortText(certificate);
-  lines.insert(lines.end(), block.ContourReport.begin(), block.ContourReport.end());
+  if (!block.ContourReport.empty())
+  {
+    lines.push_back("Contours that were repaired or left out before the comparison: " +
+      std::to_string(block.ContourReport.size()) + "; Contour Hierarchy lists them in its Report.");
+  }
   AddLines(block.Surface, "Certificate", lines);
   AddLines(block.Surface, "CertificateJSON", { recon::ToJson(certificate) });
 }

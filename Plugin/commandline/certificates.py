@@ -16,7 +16,7 @@ import contourcli as cli
 SOURCE = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 TITLES = ["file", "region", "contours", "triangles", "components", "genus", "closed", "manifold", "outward",
           "crossing", "overlapping", "touching", "smallest angle", "volume", "area", "vertex off", "edge off",
-          "worst level, %", "seconds"]
+          "worst level, %", "notes", "seconds"]
 
 
 def files(shared):
@@ -41,9 +41,26 @@ def zero(count):
     return "0" if count == 0 else f"**{count}**"
 
 
+def is_parallel(contours):
+    """Whether all planes of the contours have one normal; contours that cannot be read at all count as parallel."""
+    from paraview import simple
+    source = simple.PVTrivialProducer()
+    source.GetClientSideObject().SetOutput(contours.data)
+    hierarchy = simple.ContourHierarchy(Input=source)
+    try:
+        cli.run_proxy(hierarchy)
+    except cli.CommandError:
+        return True
+    normals = hierarchy.GetClientSideObject().GetOutputDataObject(0).GetFieldData().GetArray("LevelNormal")
+    return normals is None or len({normals.GetTuple(i) for i in range(normals.GetNumberOfTuples())}) == 1
+
+
 def row(shown, contours):
     if contours.empty:
         return [shown, contours.name, "0"] + ["no contours"] + [""] * (len(TITLES) - 4)
+    if not is_parallel(contours):
+        return [shown, contours.name, str(contours.data.GetNumberOfCells()),
+                "planes of several directions: for Implicit Surface"] + [""] * (len(TITLES) - 4)
     try:
         result = cli.reconstruct(contours)
     except cli.CommandError as error:
@@ -56,7 +73,7 @@ def row(shown, contours):
             zero(total["CrossingPairs"]), zero(total["OverlappingPairs"]), str(total["TouchingPairs"]),
             number(total["SmallestAngle"], 2), number(total["Volume"]), number(total["Area"]),
             number(along["FarthestContourVertex"], 2), number(along["FarthestContourEdge"], 2),
-            number(along["WorstSectionPercent"], 2), f"{sum(s for _, s in result.seconds):.2f}"]
+            number(along["WorstSectionPercent"], 2), str(len(result.report)), f"{sum(s for _, s in result.seconds):.2f}"]
 
 
 def main():
@@ -81,7 +98,8 @@ def main():
             "degrees. *Crossing*, *overlapping* and *touching* count pairs of triangles; touching is what a "
             "surface cut apart into a manifold leaves. *Vertex off* and *edge off* are the farthest that a contour vertex "
             "or edge is from the surface; *worst level* is the largest area, in percent of a level's contours, that "
-            "belongs to the contours or to the surface's section alone. Seconds are those of reconstruction and "
+            "belongs to the contours or to the surface's section alone; *notes* is the number of contours that were "
+            "repaired or left out, which the surface names in its field data Report. Seconds are those of reconstruction and "
             "certificate on two cores.\n\n")
         file.write("| " + " | ".join(TITLES) + " |\n|" + "---|" * len(TITLES) + "\n")
         for cells in rows:

@@ -40,6 +40,11 @@ double SquaredDistanceToSegment(const Point3& p, const Point3& a, const Point3& 
 /// Inside the prism over the triangle the distance to its plane, elsewhere that to its border.
 double SquaredDistanceToTriangle(const Point3& p, const Point3& a, const Point3& b, const Point3& c)
 {
+  // Of a corner the answer is 0, not the rounding of its height: contour vertices are corners.
+  if (p == a || p == b || p == c)
+  {
+    return 0;
+  }
   const Vector3 normal = Cross(b - a, c - a);
   const double squaredNorm = Dot(normal, normal);
   const bool inside = squaredNorm > 0 && Dot(Cross(b - a, p - a), normal) >= 0 &&

@@ -297,6 +297,16 @@ TEST(SectionComparison, NothingToCompare)
   EXPECT_DOUBLE_EQ(Compare(TriangleMesh(), set)[0].Percent.value(), 100);
 }
 
+TEST(TriangleTree, DistanceOfCornersIsExactlyZero)
+{
+  const TriangleMesh mesh = MakeLinkedTori();
+  const TriangleTree tree(mesh);
+  for (const auto& p : mesh.Points)
+  {
+    EXPECT_EQ(tree.DistanceTo(p, std::numeric_limits<double>::infinity()), 0);
+  }
+}
+
 TEST(TriangleTree, DistanceIsThatOfTheNearestTriangle)
 {
   const TriangleMesh mesh = MakeSphere(60, 30);
