@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace recon
@@ -131,11 +132,14 @@ public:
 private:
   using Pair = std::pair<int, int>; ///< the component asked about, the one perhaps around it
 
-  /// A corner of every eighth part of each component's triangles.
+  /// A corner of every eighth part of each component's triangles, the first, second and third in
+  /// turn; every corner of a component of few triangles, as all but one may lie on others (a
+  /// pyramid that stands on them).
   void CollectQueries(const std::vector<int>& size)
   {
     this->NumberOfQueries.assign(size.size(), 0);
     std::vector<int> seen(size.size(), 0);
+    std::set<std::pair<int, int>> asked; // component and point
     for (std::size_t t = 0; t < this->Mesh.Triangles.size(); ++t)
     {
       const int c = this->ComponentOf[t];
@@ -143,13 +147,30 @@ private:
       {
         continue;
       }
-      const int step = std::max(1, size[c] / QueriesAComponent);
+      const auto& corners = this->Mesh.Triangles[t];
+      if (size[c] <= QueriesAComponent)
+      {
+        for (const int p : corners)
+        {
+          if (asked.emplace(c, p).second)
+          {
+            this->AddQuery(c, p);
+          }
+        }
+        continue;
+      }
+      const int step = size[c] / QueriesAComponent;
       if (seen[c]++ % step == 0 && this->NumberOfQueries[c] < QueriesAComponent)
       {
-        ++this->NumberOfQueries[c];
-        this->Queries.push_back({ this->Mesh.Points[this->Mesh.Triangles[t][0]], c });
+        this->AddQuery(c, corners[this->NumberOfQueries[c] % 3]);
       }
     }
+  }
+
+  void AddQuery(int component, int point)
+  {
+    ++this->NumberOfQueries[component];
+    this->Queries.push_back({ this->Mesh.Points[point], component });
   }
 
   void CastAll()
