@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every contour set at hand through the whole method: rows 2 to 4 of what the project must show.
+#include "PolyhedralSweep.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace recon;
+using namespace recon::testing;
+
+namespace
+{
+class PolyhedralOptionsSweep : public PolyhedralSweep
+{
+};
+
+const Case AllCases[] = {
+  { "rtstruct/cerr_ibsi.dcm", 1 },
+  { "rtstruct/rtutils_keyholes.dcm", 4 },
+  { "rtstruct/rtutils_single_slice_hole.dcm", 0 },
+  { "rtstruct/pydicom_no_preamble_points.dcm", 1 },
+  { "rtstruct/template_no_contour_data.dcm", 0 },
+  { "rtstruct/phantoms/Sphere_10_0.dcm", 1 },
+  { "rtstruct/phantoms/Sphere_20_0.dcm", 1 },
+  { "rtstruct/phantoms/Sphere_30_0.dcm", 1 },
+  { "rtstruct/phantoms/Cone_10_0.dcm", 1 },
+  { "rtstruct/phantoms/Cone_20_0.dcm", 1 },
+  { "rtstruct/phantoms/Cone_30_0.dcm", 1 },
+  { "rtstruct/phantoms/Cylinder_10_0.dcm", 1 },
+  { "rtstruct/phantoms/Cylinder_20_0.dcm", 1 },
+  { "rtstruct/phantoms/Cylinder_30_0.dcm", 1 },
+  { "rtstruct/phantoms/RtCone_10_0.dcm", 1 },
+  { "rtstruct/phantoms/RtCone_20_0.dcm", 1 },
+  { "rtstruct/phantoms/RtCone_30_0.dcm", 1 },
+  { "rtstruct/phantoms/RtCylinder_10_0.dcm", 1 },
+  { "rtstruct/phantoms/RtCylinder_20_0.dcm", 1 },
+  { "rtstruct/phantoms/RtCylinder_30_0.dcm", 1 },
+  { "cnt/manytomany.cnt", 1 },
+  { "cnt/frog_label3.cnt", 1 },
+  { "cnt/spl_left_hippocampus.cnt", 1 },
+  { "csl/eight_15.csl", 1 },
+  { "csl/hand_ok.csl", 1 },
+  { "csl/balloondog.csl", 1 },
+  { "csl/SideBishop.csl", 1 },
+  { "csl/rose.csl", 1 },
+  { "rtstruct/dicompyler_rtss.dcm", 9 },
+  { "rtstruct/dicomexport_rs.dcm", 11 },
+  { "rtstruct/pyorthanc_cone_02mm.dcm", 1 },
+  { "cnt/amygdala_label3.cnt", 1 },
+  { "cnt/sainthelens_100m.cnt", 1 },
+  { "cnt/sainthelens_unequal.cnt", 1 },
+};
+
+/// Small enough to try all options; TestPolyhedralSweepSlow has the others.
+const Case OptionCases[] = {
+  { "rtstruct/cerr_ibsi.dcm", 1 },
+  { "rtstruct/rtutils_keyholes.dcm", 4 },
+  { "rtstruct/rtutils_single_slice_hole.dcm", 0 },
+  { "rtstruct/pydicom_no_preamble_points.dcm", 1 },
+  { "rtstruct/template_no_contour_data.dcm", 0 },
+  { "rtstruct/phantoms/Sphere_30_0.dcm", 1 },
+  { "rtstruct/phantoms/Cone_30_0.dcm", 1 },
+  { "rtstruct/phantoms/Cylinder_30_0.dcm", 1 },
+  { "rtstruct/phantoms/RtCone_30_0.dcm", 1 },
+  { "rtstruct/phantoms/RtCylinder_30_0.dcm", 1 },
+  { "cnt/manytomany.cnt", 1 },
+  { "cnt/frog_label3.cnt", 1 },
+  { "cnt/spl_left_hippocampus.cnt", 1 },
+  { "csl/eight_15.csl", 1 },
+  { "csl/hand_ok.csl", 1 },
+  { "csl/balloondog.csl", 1 },
+  { "csl/SideBishop.csl", 1 },
+  { "csl/rose.csl", 1 },
+};
+}
+
+TEST_P(PolyhedralSweep, KeepsPromises)
+{
+  const int solids = ForEachSolid(this->Path,
+    [](const ContourSet& contours) { ExpectKeepsPromises(BuildSurface(contours), contours); });
+  EXPECT_EQ(solids, GetParam().Solids);
+}
+
+TEST_P(PolyhedralOptionsSweep, HoldsForEveryOption)
+{
+  EXPECT_EQ(ForEachSolid(this->Path, ExpectAllOptions), GetParam().Solids);
+}
+
+INSTANTIATE_TEST_SUITE_P(Data, PolyhedralSweep, ::testing::ValuesIn(AllCases), NameOf);
+INSTANTIATE_TEST_SUITE_P(Data, PolyhedralOptionsSweep, ::testing::ValuesIn(OptionCases), NameOf);
+
+/// The project's own sets are always there.
+TEST(PolyhedralOwnData, KeepsPromises)
+{
+  for (const char* name : { "branching_pipe.cnt", "brain.cnt", "head.cnt", "femur_head.csl" })
+  {
+    SCOPED_TRACE(name);
+    EXPECT_EQ(
+      ForEachSolid(OwnPath(name),
+        [](const ContourSet& contours) { ExpectKeepsPromises(BuildSurface(contours), contours); }),
+      1);
+  }
+}
+
+TEST(PolyhedralOwnData, HoldsForEveryOption)
+{
+  for (const char* name : { "branching_pipe.cnt", "brain.cnt" })
+  {
+    SCOPED_TRACE(name);
+    EXPECT_EQ(ForEachSolid(OwnPath(name), ExpectAllOptions), 1);
+  }
+}
+
+namespace
+{
+/// Frusta between the slices: exact where all slices are similar and in the same position.
+double SumOfFrusta(const ContourSet& contours)
+{
+  std::vector<double> areas(contours.Levels.size(), 0);
+  for (const auto& contour : contours.Contours)
+  {
+    areas[contour.Level] += contour.SignedArea;
+  }
+  double volume = 0;
+  for (std::size_t l = 0; l + 1 < areas.size(); ++l)
+  {
+    const double height = contours.Levels[l + 1].Offset - contours.Levels[l].Offset;
+    volume += height / 3 * (areas[l] + areas[l + 1] + std::sqrt(areas[l] * areas[l + 1]));
+  }
+  return volume;
+}
+
+/// @param truth the volume of the round body, mm3, and how near to it the slices must come
+void ExpectPhantomVolume(const std::string& name, double truth, double nearness)
+{
+  SCOPED_TRACE(name);
+  const std::string path = SharedPath("rtstruct/phantoms/" + name);
+  if (!std::filesystem::exists(path))
+  {
+    GTEST_SKIP() << "no " << path << ": this real contour set was NOT tested";
+  }
+  for (const bool internalPoints : { false, true })
+  {
+    ForEachSolid(path,
+      [&](const ContourSet& contours)
+      {
+        PolyhedralOptions options;
+        options.InternalPoints = internalPoints;
+        const double volume = VolumeOf(BuildSurface(contours, options).Mesh);
+        const double frusta = SumOfFrusta(contours);
+        std::printf("[ FIGURE   ] %s: volume %.2f, frusta %.2f, truth %.2f mm3\n", name.c_str(),
+          volume, frusta, truth);
+        EXPECT_NEAR(volume, frusta, 1e-3 * frusta);
+        EXPECT_NEAR(volume, truth, nearness * truth);
+      });
+  }
+}
+}
+
+TEST(PolyhedralPhantoms, ConesAreTheSumOfFrusta)
+{
+  for (const char* name : { "Cone_10_0.dcm", "Cone_20_0.dcm", "Cone_30_0.dcm" })
+  {
+    ExpectPhantomVolume(name, 3619.11, 1e-3);
+  }
+}
+
+TEST(PolyhedralPhantoms, CylindersAreExact)
+{
+  for (const char* name : { "Cylinder_10_0.dcm", "Cylinder_20_0.dcm", "Cylinder_30_0.dcm" })
+  {
+    ExpectPhantomVolume(name, 10857.34, 1e-3);
+  }
+}
+
+TEST(PolyhedralPhantoms, SpheresAreTheSumOfFrusta)
+{
+  ExpectPhantomVolume("Sphere_10_0.dcm", 7238.23, 0.007);
+  ExpectPhantomVolume("Sphere_20_0.dcm", 7238.23, 0.03);
+  ExpectPhantomVolume("Sphere_30_0.dcm", 7238.23, 0.05);
+}
