@@ -38,6 +38,14 @@ def square(z, half=1.0, x=0.0):
     return [(x - half, -half, z), (x + half, -half, z), (x + half, half, z), (x - half, half, z)]
 
 
+def finer(polygon, parts=6):
+    """The same polygon with more vertices on its edges."""
+    fine = []
+    for p, q in zip(polygon, polygon[1:] + polygon[:1]):
+        fine += [tuple(a + (b - a) * k / parts for a, b in zip(p, q)) for k in range(parts)]
+    return fine
+
+
 def corners(data):
     return vtk_to_numpy(data.GetPolys().GetConnectivityArray()).reshape(-1, 3)
 
@@ -67,15 +75,27 @@ ct.check(list(array(data.GetFieldData(), "LevelNormal")) == [0, 0, 1] or
          tuple(data.GetFieldData().GetArray("LevelNormal").GetTuple(0)) == (0, 0, 1), "its normal is z")
 
 # One contour becomes two: the surface branches, and every input vertex is a point of it, to the last bit.
-branching = loops(square(0, 3), square(2, 1, -2), square(2, 1, 2))
+given = [finer(square(0, 3)), finer(square(2, 1, -2)), finer(square(2, 1, 2))]
+branching = loops(*given)
 data = ct.data(simple.PolyhedralSurface(Input=branching))
 ct.check(closed(data), "the branching is closed and oriented")
 points = {tuple(p) for p in vtk_to_numpy(data.GetPoints().GetData())}
-given = {tuple(map(float, p)) for p in square(0, 3) + square(2, 1, -2) + square(2, 1, 2)}
-ct.check(given <= points, f"every contour vertex is in the surface; missing: {given - points}")
+missing = {tuple(map(float, p)) for polygon in given for p in polygon} - points
+ct.check(not missing, f"every contour vertex is in the surface; missing: {missing}")
+ct.check(data.GetFieldData().GetAbstractArray("Report") is None, "and there is nothing to report")
 ct.check(12 < volume(data) < 72, f"its volume {volume(data)} lies between what its ends allow")
 apart = ct.data(simple.PolyhedralSurface(Input=branching, InternalPoints=0))
 ct.check(closed(apart), "also without internal points")
+
+# Where contours are so coarse that one is joined to nothing, it is named, not lost.
+coarse = ct.data(simple.PolyhedralSurface(Input=loops(square(0, 3), square(2, 1, -2), square(2, 1, 2))))
+points = {tuple(p) for p in vtk_to_numpy(coarse.GetPoints().GetData())}
+lines = coarse.GetFieldData().GetAbstractArray("Report")
+named = " ".join(lines.GetValue(i) for i in range(lines.GetNumberOfValues())) if lines else ""
+for contour, x in ((1, -2), (2, 2)):
+    there = {tuple(map(float, p)) for p in square(2, 1, x)} <= points
+    ct.check(there or f"Contour {contour} " in named, f"contour {contour} is in the surface or named in Report")
+ct.check(closed(coarse), "and the surface is closed all the same")
 
 # Stages.
 triangulation = simple.ContourTriangulation(Input=branching)
