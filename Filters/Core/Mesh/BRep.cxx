@@ -118,7 +118,8 @@ private:
 
   bool SamePosition(int a, int b) const
   {
-    return this->Shell.Vertices[a] == this->Shell.Vertices[b];
+    // By number first: a coordinate that is no number equals nothing, and is another defect.
+    return a == b || this->Shell.Vertices[a] == this->Shell.Vertices[b];
   }
 
   bool ArePartners(int h, int g) const
