@@ -24,6 +24,7 @@ struct LoopSoup
     std::vector<int> Points; ///< indices into LoopSoup::Points
     bool Closed = false; ///< an edge joins the last point to the first (which need not be repeated)
     int Source = -1;     ///< number of the input cell, for the report
+    bool ExclusiveOr = false; ///< defined by even-odd whatever the rule (DICOM CLOSEDPLANAR_XOR)
   };
   std::vector<Point3> Points;
   std::vector<Chain> Chains;
@@ -45,12 +46,22 @@ struct Contour
   int Source = -1; ///< number of the input cell the contour came from (the first, where merged)
 };
 
+/// Which loops of a level are walls of holes; see HoleRule.h.
+enum class HoleRule
+{
+  Automatic, ///< even-odd, which is right for holes drawn in either direction and for keyholes
+  EvenOdd,
+  Winding,
+  Keyhole
+};
+
 /// All contours of one plane.
 struct Level
 {
   PlanarFrame Frame;
   double Offset = 0;         ///< along Frame.Normal
   std::vector<int> Contours; ///< indices into ContourSet::Contours
+  std::string HoleNote;      ///< a sentence: the rule that made the holes, and how they were drawn
 };
 
 /**

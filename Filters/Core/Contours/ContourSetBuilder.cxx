@@ -4,7 +4,8 @@
 #include "ContourChaining.h"
 #include "ContourNotes.h"
 #include "ContourPlanes.h"
-#include "EvenOddRule.h"
+#include "HoleRule.h"
+#include "HoleWords.h"
 #include "NestingForest.h"
 #include "PlanarRings.h"
 
@@ -12,6 +13,8 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <set>
+#include <string>
 #include <utility>
 
 namespace recon
@@ -76,6 +79,13 @@ public:
       Progress(monitor),
       Notes(soup)
   {
+    for (const LoopSoup::Chain& chain : soup.Chains)
+    {
+      if (chain.ExclusiveOr)
+      {
+        this->ExclusiveOrSources.insert(chain.Source);
+      }
+    }
   }
 
   ContourSet Build()
@@ -129,10 +139,13 @@ private:
   void AddLevel(const PlaneOfRings& plane)
   {
     PlanarRings rings = FlattenLevel(this->Soup, this->Rings, plane, this->Notes);
+    HoleFindings found;
+    found.ExclusiveOr = this->IsExclusiveOr(rings);
+    const HoleRule rule = found.ExclusiveOr ? HoleRule::EvenOdd : this->Options.Holes;
     EvenOddResult result;
     try
     {
-      result = ApplyEvenOddRule(rings.Points, rings.Loops);
+      result = ApplyHoleRule(rings.Points, rings.Loops, rule);
     }
     catch (const Error& error)
     {
@@ -146,7 +159,50 @@ private:
     {
       this->NoteCluster(rings, cluster);
     }
-    this->AddContours(plane, rings, result);
+    if (rule != this->Options.Holes && this->Options.Holes != HoleRule::Automatic)
+    {
+      this->NoteLoops(rings, { 0 },
+        std::string("shares its plane with CLOSEDPLANAR_XOR contours, which go by even-odd and not "
+                    "by the ") +
+          NameOf(this->Options.Holes) + " rule that was asked for");
+    }
+    for (int l : result.Swallowed)
+    {
+      this->NoteLoops(
+        rings, { l }, std::string("lies within solid by the ") + NameOf(rule) + " rule; left out");
+    }
+    found.Swallowed = result.Swallowed.size();
+    this->AddContours(plane, rings, result, rule, found);
+  }
+
+  bool IsExclusiveOr(const PlanarRings& rings) const
+  {
+    return std::any_of(rings.Rings.begin(), rings.Rings.end(),
+      [this](int r) { return this->ExclusiveOrSources.count(this->Rings[Index(r)].Source) > 0; });
+  }
+
+  /// How the holes among loops were drawn.
+  static void CountHoles(const PlanarRings& rings, const std::vector<int>& origins,
+    const NestingForest& forest, HoleFindings& found)
+  {
+    const auto isPositive = [&](int origin)
+    { return SignedAreaOf(rings.Points, rings.Loops[Index(origin)]) > 0; };
+    for (std::size_t l = 0; l < origins.size(); ++l)
+    {
+      if (forest.Depth[l] % 2 == 0)
+      {
+        continue;
+      }
+      const int around = origins[Index(forest.Parent[l])];
+      if (around == origins[l])
+      {
+        ++found.Keyholes;
+      }
+      else
+      {
+        ++(isPositive(around) == isPositive(origins[l]) ? found.Same : found.Opposite);
+      }
+    }
   }
 
   void NoteLoops(const PlanarRings& rings, const std::vector<int>& loops, const std::string& what)
@@ -176,25 +232,29 @@ private:
     if (cluster.Results == 0)
     {
       this->NoteLoops(rings, cluster.Loops,
-        (alone ? "encloses no area" : "cancel one another under the even-odd rule") +
+        (alone ? "encloses no area"
+               : std::string("cancel one another under the ") + cluster.Rule + " rule") +
           Findings(cluster) + "; left out");
       return;
     }
     this->NoteLoops(rings, cluster.Loops,
       (alone ? "touches or crosses itself" : "touch or cross one another") + Findings(cluster) +
-        "; resolved by the even-odd rule into " + Counted(cluster.Results, "contour"));
+        "; resolved by the " + cluster.Rule + " rule into " + Counted(cluster.Results, "contour"));
     for (int l : cluster.Vanished)
     {
-      this->NoteLoops(rings, { l }, "vanishes under the even-odd rule; left out");
+      this->NoteLoops(
+        rings, { l }, std::string("vanishes under the ") + cluster.Rule + " rule; left out");
     }
   }
 
   /// Turns the loops the way their depth asks for and appends them as a level.
-  void AddContours(const PlaneOfRings& plane, const PlanarRings& rings, EvenOddResult& result)
+  void AddContours(const PlaneOfRings& plane, const PlanarRings& rings, EvenOddResult& result,
+    HoleRule rule, HoleFindings& found)
   {
     std::vector<std::vector<int>> loops;
     std::vector<double> areas;
     std::vector<int> sources;
+    std::vector<int> origins;
     for (EvenOddResult::Loop& loop : result.Loops)
     {
       const double area = SignedAreaOf(rings.Points, loop.Points);
@@ -210,6 +270,7 @@ private:
       }
       areas.push_back(std::abs(area));
       loops.push_back(std::move(loop.Points));
+      origins.push_back(loop.Origin);
       sources.push_back(this->Rings[Index(rings.Rings[Index(loop.Origin)])].Source);
     }
     if (loops.empty())
@@ -221,6 +282,8 @@ private:
     Level level;
     level.Frame = plane.Frame;
     level.Offset = plane.Offset;
+    CountHoles(rings, origins, forest, found);
+    level.HoleNote = DescribeHoles(rule, found);
     std::vector<int> pointMap(rings.Points.size(), -1);
     for (std::size_t l = 0; l < loops.size(); ++l)
     {
@@ -264,6 +327,7 @@ private:
   const ContourSetOptions& Options;
   Monitor& Progress;
   ContourNotes Notes;
+  std::set<int> ExclusiveOrSources;
   std::vector<Ring> Rings;
   ContourSet Set;
 };

@@ -21,6 +21,9 @@ struct ContourSetOptions
   /// the contours themselves are less flat, up to 30 times as much is allowed, with a line in
   /// Report.
   double PlaneTolerance = 1e-5;
+  /// Levels with a chain that is ExclusiveOr go by EvenOdd whatever this says, with a line in
+  /// Report where it says otherwise. What was found is in Level::HoleNote.
+  HoleRule Holes = HoleRule::Automatic;
 };
 
 /**

@@ -17,7 +17,8 @@ struct PlanarEdge
 {
   int A = -1;
   int B = -1;
-  int Loop = -1; ///< the loop it came from
+  int Loop = -1;  ///< the loop it came from
+  int Weight = 1; ///< times walked from A to B, less those from B to A
 };
 
 struct EdgeConflicts

@@ -5,6 +5,7 @@
 #include "EdgeConflicts.h"
 #include "LoopOrder.h"
 #include "LoopTracing.h"
+#include "WindingBorder.h"
 
 #include <algorithm>
 #include <map>
@@ -27,9 +28,10 @@ std::size_t Index(int i)
 class EvenOdd
 {
 public:
-  EvenOdd(std::vector<Point2>& points, const std::vector<std::vector<int>>& loops)
+  EvenOdd(std::vector<Point2>& points, const std::vector<std::vector<int>>& loops, bool winding)
     : Points(points),
       Loops(loops),
+      Winding(winding),
       Sets(loops.size()),
       Counts(loops.size()),
       Trouble(loops.size(), false)
@@ -41,6 +43,10 @@ public:
     this->CollectEdges();
     this->FindSharedPoints();
     this->SplitUntilClean();
+    if (this->Winding)
+    {
+      this->KeepBorder();
+    }
     return this->Collect();
   }
 
@@ -99,7 +105,23 @@ private:
     throw Error("Contours cross in more places than double precision can tell apart.");
   }
 
-  /// Of edges with the same two ends an odd number leaves one, an even number none.
+  /// Edges with solid on both sides, or on none, go.
+  void KeepBorder()
+  {
+    const std::vector<bool> onBorder = FindWindingBorder(this->Points, this->Edges);
+    std::vector<PlanarEdge> kept;
+    for (std::size_t e = 0; e < this->Edges.size(); ++e)
+    {
+      if (onBorder[e])
+      {
+        kept.push_back(this->Edges[e]);
+      }
+    }
+    this->Edges = std::move(kept);
+  }
+
+  /// Of edges with the same two ends an odd number leaves one, an even number none; under the
+  /// winding rule their sum counts.
   void CancelPairs()
   {
     const auto key = [](const PlanarEdge& e) { return std::minmax(e.A, e.B); };
@@ -111,14 +133,16 @@ private:
     for (std::size_t i = 0; i < order.size();)
     {
       std::size_t end = i + 1;
-      const PlanarEdge& first = this->Edges[Index(order[i])];
+      PlanarEdge& first = this->Edges[Index(order[i])];
       while (end < order.size() && key(this->Edges[Index(order[end])]) == key(first))
       {
-        this->Mark(first.Loop, this->Edges[Index(order[end])].Loop);
+        const PlanarEdge& next = this->Edges[Index(order[end])];
+        this->Mark(first.Loop, next.Loop);
+        first.Weight += next.A == first.A ? next.Weight : -next.Weight;
         keep[Index(order[end])] = false;
         ++end;
       }
-      if ((end - i) % 2 == 0)
+      if (this->Winding ? first.Weight == 0 : (end - i) % 2 == 0)
       {
         keep[Index(order[i])] = false;
       }
@@ -208,7 +232,7 @@ private:
     {
       if (p != from)
       {
-        out.push_back({ from, p, e.Loop });
+        out.push_back({ from, p, e.Loop, e.Weight });
         from = p;
       }
     }
@@ -229,7 +253,11 @@ private:
     EvenOddResult result;
     for (std::size_t l = 0; l < this->Loops.size(); ++l)
     {
-      if (!this->Trouble[l])
+      if (!this->Trouble[l] && !left[l])
+      {
+        result.Swallowed.push_back(static_cast<int>(l));
+      }
+      else if (!this->Trouble[l])
       {
         result.Loops.push_back({ this->Loops[l], static_cast<int>(l) });
       }
@@ -285,6 +313,7 @@ private:
     for (auto& [root, cluster] : clusters)
     {
       cluster.Changed = before[root] != after[root];
+      cluster.Rule = this->Winding ? "winding" : "even-odd";
       result.Clusters.push_back(std::move(cluster));
     }
   }
@@ -299,6 +328,7 @@ private:
 
   std::vector<Point2>& Points;
   const std::vector<std::vector<int>>& Loops;
+  bool Winding;
   DisjointSets Sets; ///< loops that have something to do with one another
   std::vector<Count> Counts;
   std::vector<bool> Trouble;
@@ -310,6 +340,12 @@ private:
 EvenOddResult ApplyEvenOddRule(
   std::vector<Point2>& points, const std::vector<std::vector<int>>& loops)
 {
-  return EvenOdd(points, loops).Apply();
+  return EvenOdd(points, loops, false).Apply();
+}
+
+EvenOddResult ApplyWindingRule(
+  std::vector<Point2>& points, const std::vector<std::vector<int>>& loops)
+{
+  return EvenOdd(points, loops, true).Apply();
 }
 }

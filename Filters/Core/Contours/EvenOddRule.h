@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @file EvenOddRule.h
- * @brief Loops of one level that touch, overlap or cross, made simple by the even-odd rule.
+ * @brief Loops of one level that touch, overlap or cross, made simple by the even-odd rule, or by
+ * the winding rule.
  */
 #ifndef recon_EvenOddRule_h
 #define recon_EvenOddRule_h
@@ -25,6 +26,7 @@ struct EvenOddCluster
   std::size_t Shared = 0;    ///< points passed more than once
   std::size_t Results = 0;   ///< loops that came out
   bool Changed = false;      ///< false: they only touch in points, and are as they were
+  const char* Rule = "even-odd";
 };
 
 struct EvenOddResult
@@ -36,6 +38,7 @@ struct EvenOddResult
   };
   std::vector<Loop> Loops; ///< simple; they do not cross and meet in points only; sorted by Origin
   std::vector<EvenOddCluster> Clusters;
+  std::vector<int> Swallowed; ///< winding rule: loops that touch none, with solid on both sides
 };
 
 /**
@@ -51,6 +54,13 @@ struct EvenOddResult
  * @throws Error where the rounding of crossings does not come to rest
  */
 EvenOddResult ApplyEvenOddRule(
+  std::vector<Point2>& points, const std::vector<std::vector<int>>& loops);
+
+/**
+ * The same, where inside is where the loops wind around a nonzero number of times, each in its own
+ * direction: loops within loops of the same direction go.
+ */
+EvenOddResult ApplyWindingRule(
   std::vector<Point2>& points, const std::vector<std::vector<int>>& loops);
 }
 
