@@ -69,6 +69,22 @@ void AppendChains(vtkCellArray* cells, bool closed, int& source, LoopSoup& soup)
   }
 }
 
+/// Chains of cells whose `GeometricType`, as DICOM readers give it, is defined by even-odd.
+void MarkExclusiveOr(vtkPolyData* input, LoopSoup& soup)
+{
+  auto* types =
+    vtkStringArray::SafeDownCast(input->GetCellData()->GetAbstractArray("GeometricType"));
+  if (!types)
+  {
+    return;
+  }
+  for (LoopSoup::Chain& chain : soup.Chains)
+  {
+    chain.ExclusiveOr = chain.Source < types->GetNumberOfValues() &&
+      types->GetValue(chain.Source) == "CLOSEDPLANAR_XOR";
+  }
+}
+
 /// One chain a vertex, also where a cell holds many of them.
 void AppendVertices(vtkCellArray* cells, int& source, LoopSoup& soup)
 {
@@ -153,6 +169,13 @@ void AddLevelArrays(const ContourSet& set, vtkPolyData* output)
   }
   output->GetFieldData()->AddArray(normal);
   output->GetFieldData()->AddArray(offset);
+  vtkNew<vtkStringArray> holes;
+  holes->SetName("LevelHoleRule");
+  for (const Level& level : set.Levels)
+  {
+    holes->InsertNextValue(level.HoleNote);
+  }
+  output->GetFieldData()->AddArray(holes);
 }
 }
 
@@ -168,6 +191,7 @@ ConvertedLoops ToLoopSoup(vtkPolyData* input)
   AppendVertices(input->GetVerts(), source, loops.Soup);
   AppendChains(input->GetLines(), false, source, loops.Soup);
   AppendChains(input->GetPolys(), true, source, loops.Soup);
+  MarkExclusiveOr(input, loops.Soup);
   const vtkIdType strips = input->GetNumberOfStrips();
   if (strips > 0)
   {

@@ -32,6 +32,8 @@ struct ConvertedLoops
 /**
  * Lines and polygons become chains, vertices chains of one point (which the contour set reports).
  *
+ * Cells whose string array `GeometricType` says CLOSEDPLANAR_XOR become ExclusiveOr chains.
+ *
  * Polygons, and polylines whose last point has the first one's index, are closed. Triangle strips
  * are no contours: they are left aside with a sentence.
  *
@@ -50,7 +52,7 @@ CONTOURFILTERS_EXPORT std::vector<int> ToPolyData(const LoopSoup& soup, vtkPolyD
 /**
  * Closed polylines, last point id = first, with cell arrays `Level`, `ContourId`, `Depth`, `Parent`
  * (ContourId or -1), `SignedArea`, and field data `LevelNormal` (3 components), `LevelOffset`,
- * `Report`.
+ * `LevelHoleRule` (a sentence a level), `Report`.
  *
  * @param report sentences that go before those of the set
  */

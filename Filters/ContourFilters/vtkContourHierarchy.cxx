@@ -17,6 +17,7 @@ void vtkContourHierarchy::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "ParallelPlanesOnly: " << (this->ParallelPlanesOnly ? "On" : "Off") << endl;
+  os << indent << "HoleRule: " << this->HoleRule << endl;
   os << indent << "PlaneTolerance: " << this->PlaneTolerance << endl;
 }
 
@@ -45,6 +46,7 @@ int vtkContourHierarchy::RequestData(
     recon::ContourSetOptions options;
     options.Parallel = this->ParallelPlanesOnly;
     options.PlaneTolerance = this->PlaneTolerance;
+    options.Holes = static_cast<recon::HoleRule>(this->HoleRule);
     const recon::ContourSet set = recon::BuildContourSet(loops.Soup, options, monitor);
     std::vector<std::string> report = recon::GetReport(input);
     report.insert(report.end(), loops.Report.begin(), loops.Report.end());

@@ -8,10 +8,10 @@
  * rotation.
  *
  * The filter chains and closes what is loose, finds the planes, resolves what touches, overlaps or
- * crosses within a plane by the even-odd rule (bridges of keyhole contours go by the same rule),
- * nests the contours of every plane, and turns outer walls counterclockwise and walls of holes
- * clockwise about the normal of their plane. Points that stay keep their coordinates to the last
- * bit; nothing is moved or smoothed.
+ * crosses within a plane by the HoleRule (bridges of keyhole contours are cut by every rule), nests
+ * the contours of every plane, and turns outer walls counterclockwise and walls of holes clockwise
+ * about the normal of their plane. Points that stay keep their coordinates to the last bit; nothing
+ * is moved or smoothed.
  *
  * Output: closed polylines whose last point is the first, sorted by level, in the coordinates and
  * unit of the input.
@@ -19,8 +19,9 @@
  * in the order of the input), `ContourId`, `Depth` (even = outer wall), `Parent` (ContourId or -1),
  * `SignedArea` (square units, negative for holes), and the arrays of the input cell that a contour
  * came from;
- * - field data: `LevelNormal`, `LevelOffset` (a value a level), `Report` (a line for every contour
- * repaired or left out, and why), and the arrays of the input.
+ * - field data: `LevelNormal`, `LevelOffset` (a value a level), `LevelHoleRule` (a sentence a
+ * level: the rule that was applied, and how its holes were drawn), `Report` (a line for every
+ * contour repaired or left out, and why), and the arrays of the input.
  *
  * An empty input gives an empty output. Errors (a sentence through vtkErrorMacro, and no output):
  * cells, but not one usable contour.
@@ -50,6 +51,35 @@ public:
   vtkBooleanMacro(ParallelPlanesOnly, bool);
   ///@}
 
+  enum HoleRuleType
+  {
+    Automatic = 0,
+    EvenOdd = 1,
+    Winding = 2,
+    Keyhole = 3
+  };
+
+  ///@{
+  /**
+   * Which contours of a plane are walls of holes.
+   *
+   * - Automatic, the default: even-odd on every plane. It is right for holes that are drawn in
+   *   either direction, for CLOSEDPLANAR_XOR contours and for keyholes, whatever mixture of them a
+   *   file has; directions are not trusted, since most systems store them at random.
+   * - EvenOdd: a place inside an odd number of contours is solid.
+   * - Winding: a place that the contours wind around, in the direction in which they are given, is
+   *   solid (nonzero rule): contours within contours of the same direction are no holes, and
+   *   contours of the same direction that overlap are united. The direction of loose segments is
+   *   that of the first of a chain.
+   * - Keyhole, DICOM's own reading of CLOSED_PLANAR: every contour is solid, holes are only those
+   *   that a contour itself walks around by a bridge, and the contours of a plane are united.
+   *
+   * Planes with CLOSEDPLANAR_XOR contours (cell array `GeometricType`) go by even-odd always.
+   */
+  vtkSetClampMacro(HoleRule, int, Automatic, Keyhole);
+  vtkGetMacro(HoleRule, int);
+  ///@}
+
   ///@{
   /**
    * Points nearer to a plane than this fraction of the bounding box's diagonal lie in it; loose
@@ -71,6 +101,7 @@ private:
   void operator=(const vtkContourHierarchy&) = delete;
 
   bool ParallelPlanesOnly = false;
+  int HoleRule = Automatic;
   double PlaneTolerance = 1e-5;
 };
 

@@ -189,4 +189,33 @@ ct.check(out.IsA("vtkPartitionedDataSetCollection"), "a collection stays a colle
 counts = [out.GetPartition(i, 0).GetNumberOfCells() if out.GetPartition(i, 0) else 0 for i in range(4)]
 ct.check(counts == [1, 0, 0, 2], f"good blocks come through: {counts}")
 
+# The rule for holes: named, applied and reported.
+def holes(data):
+    array = data.GetFieldData().GetAbstractArray("LevelHoleRule")
+    return [array.GetValue(i) for i in range(array.GetNumberOfValues())]
+
+
+nested = loops(square(0, 0, 10), square(3, 3, 4))
+hierarchy = simple.ContourHierarchy(Input=source(nested))
+for rule, areas, note in (
+        ("Automatic", [100, -16], "Even-odd (automatic): 1 hole (1 drawn in the direction of the wall around)."),
+        ("Even-Odd", [100, -16], "Even-odd: 1 hole (1 drawn in the direction of the wall around)."),
+        ("Winding", [100], "Winding: no holes, 1 contour within solid left out."),
+        ("Keyhole", [100], "Keyhole: no holes, 1 contour within solid left out.")):
+    hierarchy.HoleRule = rule
+    out = ct.data(hierarchy)
+    ct.check(column(out, "SignedArea") == areas, f"{rule}: areas {column(out, 'SignedArea')}")
+    ct.check(holes(out) == [note], f"{rule}: {holes(out)}")
+types = vtkStringArray()
+types.SetName("GeometricType")
+for _ in range(2):
+    types.InsertNextValue("CLOSEDPLANAR_XOR")
+nested.GetCellData().AddArray(types)
+hierarchy = simple.ContourHierarchy(Input=source(nested), HoleRule="Winding")
+out = ct.data(hierarchy)
+ct.check(column(out, "SignedArea") == [100, -16], "XOR contours go by even-odd whatever the rule")
+ct.check(len(report(out)) == 1 and "CLOSEDPLANAR_XOR" in report(out)[0], "and that is reported")
+ct.check(holes(out)[0].startswith("Even-odd, as CLOSEDPLANAR_XOR contours ask for: 1 hole"), holes(out)[0])
+ct.check(out.GetCellData().GetAbstractArray("GeometricType").GetValue(1) == "CLOSEDPLANAR_XOR",
+         "the type stays with the contours")
 ct.finish()
