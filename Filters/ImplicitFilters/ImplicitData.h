@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @file ImplicitData.h
+ * @brief Contours, constraints, models and surfaces of the implicit method as vtkPolyData, and
+ * back.
+ *
+ * Everything here throws recon::Error with a sentence for the user; callers are RequestData
+ * methods, which must not let it out.
+ */
+#ifndef ImplicitData_h
+#define ImplicitData_h
+
+#include "Implicit/Constraints.h"
+#include "Implicit/ImplicitFunction.h"
+#include "Implicit/Polygonizer.h"
+
+#include <string>
+#include <vector>
+
+class vtkDataObject;
+class vtkPolyData;
+
+namespace recon
+{
+/// Clean contours on planes of any orientation; what earlier filters reported comes first in
+/// Report.
+[[nodiscard]] ContourSet ReadContours(vtkPolyData* input, Monitor& monitor);
+
+/**
+ * An input without cells and points gives an empty output that says so, and is no error: a region
+ * of interest without contours is common, and must not stop the others. @returns whether that was
+ * so.
+ */
+bool PassEmpty(vtkPolyData* input, vtkPolyData* output);
+
+/// Points with vertex cells; point arrays `Value`, `Kind` (0, 1 inner, -1 outer), `ContourId`;
+/// field data `MarginDistance`.
+void ToPolyData(const ConstraintSet& constraints, vtkPolyData* output);
+
+/// Points = centres, with vertex cells; point arrays `Weight`, `Value`; field data `Polynomial` (4
+/// values, about `Origin`), `Origin`, `Kernel` ("Triharmonic" or "Wendland"), `SupportRadius`,
+/// `Residual`.
+void ToPolyData(const ImplicitFunction& function, vtkPolyData* output);
+
+/// The same way back, also from a file. @throws Error where something is missing or damaged.
+[[nodiscard]] ImplicitFunction ToFunction(vtkPolyData* model);
+
+/// Triangles with point `Normals`; field data `CellSize`, `LeastAngle`.
+void ToPolyData(const ImplicitMesh& mesh, vtkPolyData* output);
+
+/// Points and the numbers of a point array. @throws Error where it is missing.
+[[nodiscard]] std::vector<Point3> PointsOf(vtkPolyData* data);
+[[nodiscard]] std::vector<double> NumbersOf(vtkPolyData* data, const char* array);
+
+/// The field data of the input, then a Report of these lines behind the input's own.
+void PassReport(vtkPolyData* input, const std::vector<std::string>& lines, vtkPolyData* output);
+
+void AddFieldNumbers(vtkDataObject* data, const char* name, const std::vector<double>& values);
+}
+
+#endif

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @file ImplicitOptions.h
+ * @brief The properties that several filters of the implicit method share, as the core's options.
+ */
+#ifndef ImplicitOptions_h
+#define ImplicitOptions_h
+
+#include "Implicit/Constraints.h"
+#include "Implicit/ImplicitFunction.h"
+#include "Implicit/Polygonizer.h"
+
+#include <algorithm>
+
+namespace recon
+{
+template <typename Filter>
+ConstraintOptions ConstraintOptionsOf(Filter* filter)
+{
+  ConstraintOptions options;
+  options.Mode = static_cast<ConstraintOptions::ModeType>(filter->GetMode());
+  options.Values = static_cast<ConstraintOptions::ValuesType>(filter->GetValues());
+  options.Normals = static_cast<ConstraintOptions::NormalsType>(filter->GetNormals());
+  options.MarginDistance = filter->GetMarginDistance();
+  options.MergeBox = filter->GetMergeBox();
+  options.ResampleSpacing = filter->GetResampleSpacing();
+  options.ResampleTolerance = filter->GetResampleTolerance();
+  return options;
+}
+
+template <typename Filter>
+FunctionOptions FunctionOptionsOf(Filter* filter)
+{
+  FunctionOptions options;
+  options.Kind = static_cast<Kernel::KindType>(filter->GetKernel());
+  options.SupportRadius = filter->GetSupportRadius();
+  options.Solver = static_cast<FunctionOptions::SolverType>(filter->GetSolver());
+  options.Smoothing = filter->GetSmoothing();
+  options.Threads = filter->GetThreads();
+  return options;
+}
+
+/// The box, where it is to be used.
+template <typename Filter>
+std::optional<Bounds> BoxOf(Filter* filter)
+{
+  if (!filter->GetUseBounds())
+  {
+    return std::nullopt;
+  }
+  Bounds box{};
+  std::copy_n(filter->GetBounds(), 6, box.begin());
+  return box;
+}
+
+template <typename Filter>
+PolygonizerOptions PolygonizerOptionsOf(Filter* filter)
+{
+  PolygonizerOptions options;
+  options.CellSize = filter->GetCellSize();
+  options.Box = BoxOf(filter);
+  options.ClosedAtBounds = filter->GetClosedAtBounds();
+  options.CleanUp = filter->GetCleanUp();
+  options.SnapToSeeds = filter->GetSnapToContours();
+  options.MaximumCells = filter->GetMaximumCells();
+  options.Threads = filter->GetThreads();
+  return options;
+}
+}
+
+#endif

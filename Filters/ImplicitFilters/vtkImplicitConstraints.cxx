@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkImplicitConstraints.h"
+
+#include "Implicit/ContourFit.h"
+#include "ImplicitData.h"
+#include "ImplicitOptions.h"
+#include "vtkContourMonitor.h"
+
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+vtkStandardNewMacro(vtkImplicitConstraints);
+
+namespace
+{
+/// Refined margins need a fit; margins in the plane do not, and wait for none.
+recon::ConstraintSet ConstraintsOf(const recon::ContourSet& contours,
+  const recon::ConstraintOptions& options, const recon::FunctionOptions& fitting,
+  recon::Monitor& monitor)
+{
+  if (options.Normals == recon::ConstraintOptions::Refined &&
+    options.Mode == recon::ConstraintOptions::Margins)
+  {
+    return recon::FitContours(contours, options, fitting, monitor).Constraints;
+  }
+  return recon::BuildInPlaneConstraints(
+    recon::PrepareContours(contours, options), options, monitor);
+}
+}
+
+//------------------------------------------------------------------------------
+int vtkImplicitConstraints::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[0], 0);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
+  if (!input || !output)
+  {
+    vtkErrorMacro(
+      "Implicit Constraints needs contours as poly data: connect a contour reader or Slice.");
+    return 0;
+  }
+  if (recon::PassEmpty(input, output))
+  {
+    return 1;
+  }
+  try
+  {
+    vtkContourMonitor cleaning(this, 0.0, 0.1);
+    const recon::ContourSet contours = recon::ReadContours(input, cleaning);
+    vtkContourMonitor placing(this, 0.1, 1.0);
+    recon::FunctionOptions fitting;
+    fitting.Threads = this->Threads;
+    const recon::ConstraintSet constraints =
+      ConstraintsOf(contours, recon::ConstraintOptionsOf(this), fitting, placing);
+    recon::ToPolyData(constraints, output);
+    std::vector<std::string> report = contours.Report;
+    report.insert(report.end(), constraints.Report.begin(), constraints.Report.end());
+    recon::PassReport(input, report, output);
+  }
+  catch (const recon::Aborted&)
+  {
+    output->Initialize();
+  }
+  catch (const std::exception& error)
+  {
+    output->Initialize();
+    vtkErrorMacro("" << error.what());
+    return 0;
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkImplicitConstraints::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Mode: " << this->Mode << "\n";
+  os << indent << "Values: " << this->Values << "\n";
+  os << indent << "Normals: " << this->Normals << "\n";
+  os << indent << "MarginDistance: " << this->MarginDistance << "\n";
+  os << indent << "MergeBox: " << this->MergeBox << "\n";
+  os << indent << "ResampleSpacing: " << this->ResampleSpacing << "\n";
+  os << indent << "ResampleTolerance: " << this->ResampleTolerance << "\n";
+  os << indent << "Threads: " << this->Threads << "\n";
+}

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @class vtkImplicitConstraints
+ * @brief Constraint points of an implicit function from contours in any planes (thesis 9.1,
+ * algorithm 13).
+ *
+ * Input: vtkPolyData whose closed loops are polylines, polygons or loose two-point segments, on two
+ * or more planes of any orientation, in any unit.
+ *
+ * Output: points (with vertex cells) in the coordinates of the input, exactly three a contour
+ * vertex: point arrays `Value` (0 on the contour, positive inside the solid, negative outside),
+ * `Kind` (0, 1, -1), `ContourId`; field data `MarginDistance` and `Report` (a line for everything
+ * repaired, merged or left out).
+ *
+ * Errors (a sentence through vtkErrorMacro, and no output): no usable contour; all contours on one
+ * plane; options of no sense.
+ */
+#ifndef vtkImplicitConstraints_h
+#define vtkImplicitConstraints_h
+
+#include "ImplicitFiltersModule.h" // for the export macro
+#include "vtkPolyDataAlgorithm.h"
+
+class IMPLICITFILTERS_EXPORT vtkImplicitConstraints : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkImplicitConstraints* New();
+  vtkTypeMacro(vtkImplicitConstraints, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum ModeType
+  {
+    Margins = 0,
+    BoundingBoxCorners = 1
+  };
+
+  ///@{
+  /**
+   * Where constraints stand: Margins on both sides of every contour vertex (thesis 9.1, 3n in all),
+   * or BoundingBoxCorners, the eight corners of the contours' bounding box as outside (thesis 10.3,
+   * n + 8).
+   */
+  vtkSetClampMacro(Mode, int, Margins, BoundingBoxCorners);
+  vtkGetMacro(Mode, int);
+  ///@}
+
+  enum ValuesType
+  {
+    Unit = 0,
+    Distance = 1
+  };
+
+  ///@{
+  /**
+   * Unit: +1 inside, -1 outside (thesis). Distance, the default: signed distance to the contour,
+   * which is nearer to the truth where the surface is oblique to the contours.
+   */
+  vtkSetClampMacro(Values, int, Unit, Distance);
+  vtkGetMacro(Values, int);
+  ///@}
+
+  enum NormalsType
+  {
+    InPlane = 0,
+    Refined = 1
+  };
+
+  ///@{
+  /**
+   * InPlane: margins in the contours' planes (thesis). Refined, the default: a first fit tells the
+   * normals, and margins stand along them where that is safe.
+   */
+  vtkSetClampMacro(Normals, int, InPlane, Refined);
+  vtkGetMacro(Normals, int);
+  ///@}
+
+  ///@{
+  /**
+   * Distance of the margins, in the units of the input; 0, the default: a third of the median
+   * contour edge.
+   */
+  vtkSetMacro(MarginDistance, double);
+  vtkGetMacro(MarginDistance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Points of crossing planes that fit in a box of this part of the bounding box become their
+   * centroid (thesis 9.1, which uses 0.05). 0, the default: none.
+   */
+  vtkSetMacro(MergeBox, double);
+  vtkGetMacro(MergeBox, double);
+  ///@}
+
+  ///@{
+  /**
+   * Resample contours to about this distance between points first, in the units of the input; 0: do
+   * not.
+   */
+  vtkSetMacro(ResampleSpacing, double);
+  vtkGetMacro(ResampleSpacing, double);
+  ///@}
+
+  ///@{
+  /**
+   * Leave out contour points where the contour moves by less than this first, in the units of the
+   * input; 0: do not.
+   */
+  vtkSetMacro(ResampleTolerance, double);
+  vtkGetMacro(ResampleTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Number of threads; 0, the default, takes all of the machine. The result does not depend on it.
+   */
+  vtkSetClampMacro(Threads, int, 0, 1024);
+  vtkGetMacro(Threads, int);
+  ///@}
+
+protected:
+  vtkImplicitConstraints() = default;
+  ~vtkImplicitConstraints() override = default;
+
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+private:
+  vtkImplicitConstraints(const vtkImplicitConstraints&) = delete;
+  void operator=(const vtkImplicitConstraints&) = delete;
+
+  int Mode = Margins;
+  int Values = Distance;
+  int Normals = Refined;
+  double MarginDistance = 0.0;
+  double MergeBox = 0.0;
+  double ResampleSpacing = 0.0;
+  double ResampleTolerance = 0.0;
+  int Threads = 0;
+};
+
+#endif

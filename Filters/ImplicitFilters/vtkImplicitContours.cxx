@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkImplicitContours.h"
+
+#include "ContourConversion.h"
+#include "Implicit/ContourTracer.h"
+#include "ImplicitData.h"
+#include "ImplicitOptions.h"
+#include "vtkContourMonitor.h"
+
+#include "vtkDataObject.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <limits>
+
+vtkStandardNewMacro(vtkImplicitContours);
+
+namespace
+{
+/// 0 as Spacing asks for this many intervals.
+constexpr double AutomaticIntervals = 20;
+
+recon::TracerOptions OptionsOf(vtkImplicitContours* filter)
+{
+  recon::TracerOptions options;
+  options.CellSize = filter->GetCellSize();
+  options.Box = recon::BoxOf(filter);
+  options.MaximumCells = filter->GetMaximumCells();
+  options.Threads = filter->GetThreads();
+  return options;
+}
+
+/// The slices of an image, through its pixels' centres, whatever way it is turned.
+std::vector<recon::TracePlane> SlicesOf(vtkImageData* image)
+{
+  int extent[6];
+  image->GetExtent(extent);
+  double origin[3];
+  double alongI[3];
+  double alongJ[3];
+  image->TransformIndexToPhysicalPoint(extent[0], extent[2], extent[4], origin);
+  image->TransformIndexToPhysicalPoint(extent[0] + 1, extent[2], extent[4], alongI);
+  image->TransformIndexToPhysicalPoint(extent[0], extent[2] + 1, extent[4], alongJ);
+  recon::Vector3 i{};
+  recon::Vector3 j{};
+  for (int a = 0; a < 3; ++a)
+  {
+    i[a] = alongI[a] - origin[a];
+    j[a] = alongJ[a] - origin[a];
+  }
+  const recon::PlanarFrame frame = recon::FrameAbout(recon::Cross(i, j));
+  std::vector<recon::TracePlane> planes;
+  for (int k = extent[4]; k <= extent[5]; ++k)
+  {
+    recon::Point3 p{};
+    image->TransformIndexToPhysicalPoint(extent[0], extent[2], k, p.data());
+    planes.push_back({ frame, frame.OffsetOf(p) });
+  }
+  return planes;
+}
+
+std::vector<recon::TracePlane> RangeOf(
+  vtkImplicitContours* filter, const std::vector<recon::Point3>& seeds)
+{
+  recon::Vector3 normal{};
+  std::copy_n(filter->GetPlaneNormal(), 3, normal.begin());
+  const recon::PlanarFrame frame = recon::FrameAbout(normal);
+  double from = filter->GetRange()[0];
+  double to = filter->GetRange()[1];
+  if (!filter->GetUseRange())
+  {
+    from = std::numeric_limits<double>::infinity();
+    to = -from;
+    for (const recon::Point3& seed : seeds)
+    {
+      from = std::min(from, frame.OffsetOf(seed));
+      to = std::max(to, frame.OffsetOf(seed));
+    }
+  }
+  const double asked = filter->GetSpacing();
+  return recon::ParallelPlanes(
+    normal, from, to, asked == 0 ? (to - from) / AutomaticIntervals : asked);
+}
+
+std::vector<recon::TracePlane> PlanesOf(
+  vtkDataObject* second, vtkImplicitContours* filter, const std::vector<recon::Point3>& seeds)
+{
+  if (vtkImageData* image = vtkImageData::SafeDownCast(second))
+  {
+    return SlicesOf(image);
+  }
+  if (vtkPolyData* contours = vtkPolyData::SafeDownCast(second))
+  {
+    recon::Monitor silent;
+    return recon::PlanesOf(recon::ReadContours(contours, silent));
+  }
+  return RangeOf(filter, seeds);
+}
+}
+
+//------------------------------------------------------------------------------
+vtkImplicitContours::vtkImplicitContours()
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+//------------------------------------------------------------------------------
+int vtkImplicitContours::FillInputPortInformation(int port, vtkInformation* info)
+{
+  if (port == 0)
+  {
+    return this->Superclass::FillInputPortInformation(port, info);
+  }
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkImplicitContours::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[0], 0);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
+  if (!input || !output)
+  {
+    vtkErrorMacro("Implicit Contours needs a model as poly data: connect Implicit Function.");
+    return 0;
+  }
+  if (recon::PassEmpty(input, output))
+  {
+    return 1;
+  }
+  try
+  {
+    const recon::ImplicitFunction function = recon::ToFunction(input);
+    const std::vector<recon::Point3> seeds = recon::SeedsOf(function);
+    vtkContourMonitor tracing(this);
+    const recon::ContourSet contours = recon::TraceContours(function, seeds,
+      PlanesOf(vtkDataObject::GetData(inputVector[1], 0), this, seeds), OptionsOf(this), tracing);
+    recon::ToPolyData(contours, {}, output);
+    recon::PassReport(input, contours.Report, output);
+  }
+  catch (const recon::Aborted&)
+  {
+    output->Initialize();
+  }
+  catch (const std::exception& error)
+  {
+    output->Initialize();
+    vtkErrorMacro("" << error.what());
+    return 0;
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkImplicitContours::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "PlaneNormal:";
+  for (const double x : this->PlaneNormal)
+  {
+    os << " " << x;
+  }
+  os << "\n";
+  os << indent << "UseRange: " << this->UseRange << "\n";
+  os << indent << "Range:";
+  for (const double x : this->Range)
+  {
+    os << " " << x;
+  }
+  os << "\n";
+  os << indent << "Spacing: " << this->Spacing << "\n";
+  os << indent << "CellSize: " << this->CellSize << "\n";
+  os << indent << "UseBounds: " << this->UseBounds << "\n";
+  os << indent << "Bounds:";
+  for (const double x : this->Bounds)
+  {
+    os << " " << x;
+  }
+  os << "\n";
+  os << indent << "MaximumCells: " << this->MaximumCells << "\n";
+  os << indent << "Threads: " << this->Threads << "\n";
+}

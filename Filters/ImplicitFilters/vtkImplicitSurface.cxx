@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkImplicitSurface.h"
+
+#include "Implicit/ImplicitSurface.h"
+#include "ImplicitData.h"
+#include "ImplicitOptions.h"
+#include "vtkContourMonitor.h"
+
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+vtkStandardNewMacro(vtkImplicitSurface);
+
+namespace
+{
+recon::ImplicitSurfaceOptions OptionsOf(vtkImplicitSurface* filter)
+{
+  recon::ImplicitSurfaceOptions options;
+  options.Constraints = recon::ConstraintOptionsOf(filter);
+  options.Function = recon::FunctionOptionsOf(filter);
+  options.Polygonizer = recon::PolygonizerOptionsOf(filter);
+  return options;
+}
+}
+
+//------------------------------------------------------------------------------
+int vtkImplicitSurface::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[0], 0);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
+  if (!input || !output)
+  {
+    vtkErrorMacro(
+      "Implicit Surface needs contours as poly data: connect a contour reader or Slice.");
+    return 0;
+  }
+  if (recon::PassEmpty(input, output))
+  {
+    return 1;
+  }
+  try
+  {
+    vtkContourMonitor cleaning(this, 0.0, 0.05);
+    const recon::ContourSet contours = recon::ReadContours(input, cleaning);
+    vtkContourMonitor building(this, 0.05, 1.0);
+    const recon::ImplicitSurface surface =
+      recon::BuildImplicitSurface(contours, OptionsOf(this), building);
+    recon::ToPolyData(surface.Mesh, output);
+    recon::AddFieldNumbers(output, "Residual", { surface.Fit.Function.Residual });
+    recon::AddFieldNumbers(output, "MarginDistance", { surface.Fit.Constraints.MarginDistance });
+    recon::AddFieldNumbers(
+      output, "ConstraintCount", { static_cast<double>(surface.Fit.Function.Centres.size()) });
+    recon::PassReport(input, surface.Report, output);
+  }
+  catch (const recon::Aborted&)
+  {
+    output->Initialize();
+  }
+  catch (const std::exception& error)
+  {
+    output->Initialize();
+    vtkErrorMacro("" << error.what());
+    return 0;
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkImplicitSurface::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Mode: " << this->Mode << "\n";
+  os << indent << "Values: " << this->Values << "\n";
+  os << indent << "Normals: " << this->Normals << "\n";
+  os << indent << "MarginDistance: " << this->MarginDistance << "\n";
+  os << indent << "MergeBox: " << this->MergeBox << "\n";
+  os << indent << "ResampleSpacing: " << this->ResampleSpacing << "\n";
+  os << indent << "ResampleTolerance: " << this->ResampleTolerance << "\n";
+  os << indent << "Kernel: " << this->Kernel << "\n";
+  os << indent << "SupportRadius: " << this->SupportRadius << "\n";
+  os << indent << "Solver: " << this->Solver << "\n";
+  os << indent << "Smoothing: " << this->Smoothing << "\n";
+  os << indent << "CellSize: " << this->CellSize << "\n";
+  os << indent << "UseBounds: " << this->UseBounds << "\n";
+  os << indent << "Bounds:";
+  for (const double x : this->Bounds)
+  {
+    os << " " << x;
+  }
+  os << "\n";
+  os << indent << "ClosedAtBounds: " << this->ClosedAtBounds << "\n";
+  os << indent << "CleanUp: " << this->CleanUp << "\n";
+  os << indent << "SnapToContours: " << this->SnapToContours << "\n";
+  os << indent << "MaximumCells: " << this->MaximumCells << "\n";
+  os << indent << "Threads: " << this->Threads << "\n";
+}

@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @class vtkImplicitSurface
+ * @brief The whole Implicit Surface Method in one filter: contours in any planes in, a smooth
+ * closed surface out.
+ *
+ * Input: vtkPolyData whose closed loops are polylines, polygons or loose two-point segments, on two
+ * or more planes of any orientation, in any unit.
+ *
+ * Output: triangles in the coordinates of the input, closed, manifold, oriented outward, without
+ * slivers, with point `Normals`; field data `Residual`, `MarginDistance`, `CellSize`, `LeastAngle`
+ * (degrees), `ConstraintCount` and `Report` (of all stages). Without Bounds, contours parallel to a
+ * coordinate plane end half a slice beyond the last ones.
+ *
+ * Errors (a sentence through vtkErrorMacro, and no output): no usable contour; all contours on one
+ * plane; options of no sense; a system too large; a CellSize that would take too many cells.
+ *
+ * Thesis part III: chapters 8 and 9.
+ */
+#ifndef vtkImplicitSurface_h
+#define vtkImplicitSurface_h
+
+#include "ImplicitFiltersModule.h" // for the export macro
+#include "vtkPolyDataAlgorithm.h"
+
+class IMPLICITFILTERS_EXPORT vtkImplicitSurface : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkImplicitSurface* New();
+  vtkTypeMacro(vtkImplicitSurface, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum ModeType
+  {
+    Margins = 0,
+    BoundingBoxCorners = 1
+  };
+
+  ///@{
+  /**
+   * Where constraints stand: Margins on both sides of every contour vertex (thesis 9.1, 3n in all),
+   * or BoundingBoxCorners, the eight corners of the contours' bounding box as outside (thesis 10.3,
+   * n + 8).
+   */
+  vtkSetClampMacro(Mode, int, Margins, BoundingBoxCorners);
+  vtkGetMacro(Mode, int);
+  ///@}
+
+  enum ValuesType
+  {
+    Unit = 0,
+    Distance = 1
+  };
+
+  ///@{
+  /**
+   * Unit: +1 inside, -1 outside (thesis). Distance, the default: signed distance to the contour,
+   * which is nearer to the truth where the surface is oblique to the contours.
+   */
+  vtkSetClampMacro(Values, int, Unit, Distance);
+  vtkGetMacro(Values, int);
+  ///@}
+
+  enum NormalsType
+  {
+    InPlane = 0,
+    Refined = 1
+  };
+
+  ///@{
+  /**
+   * InPlane: margins in the contours' planes (thesis). Refined, the default: a first fit tells the
+   * normals, and margins stand along them where that is safe.
+   */
+  vtkSetClampMacro(Normals, int, InPlane, Refined);
+  vtkGetMacro(Normals, int);
+  ///@}
+
+  ///@{
+  /**
+   * Distance of the margins, in the units of the input; 0, the default: a third of the median
+   * contour edge.
+   */
+  vtkSetMacro(MarginDistance, double);
+  vtkGetMacro(MarginDistance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Points of crossing planes that fit in a box of this part of the bounding box become their
+   * centroid (thesis 9.1, which uses 0.05). 0, the default: none.
+   */
+  vtkSetMacro(MergeBox, double);
+  vtkGetMacro(MergeBox, double);
+  ///@}
+
+  ///@{
+  /**
+   * Resample contours to about this distance between points first, in the units of the input; 0: do
+   * not.
+   */
+  vtkSetMacro(ResampleSpacing, double);
+  vtkGetMacro(ResampleSpacing, double);
+  ///@}
+
+  ///@{
+  /**
+   * Leave out contour points where the contour moves by less than this first, in the units of the
+   * input; 0: do not.
+   */
+  vtkSetMacro(ResampleTolerance, double);
+  vtkGetMacro(ResampleTolerance, double);
+  ///@}
+
+  enum KernelType
+  {
+    Triharmonic = 0,
+    Wendland = 1
+  };
+
+  ///@{
+  /**
+   * Triharmonic |r|^3 (default), or Wendland's compactly supported function with a sparse solver
+   * (thesis 12.3).
+   */
+  vtkSetClampMacro(Kernel, int, Triharmonic, Wendland);
+  vtkGetMacro(Kernel, int);
+  ///@}
+
+  ///@{
+  /**
+   * Support of Wendland's function, in the units of the input; 0: a quarter of the bounding box's
+   * diagonal.
+   */
+  vtkSetMacro(SupportRadius, double);
+  vtkGetMacro(SupportRadius, double);
+  ///@}
+
+  enum SolverType
+  {
+    ProjectedCholesky = 0,
+    LU = 1
+  };
+
+  ///@{
+  /**
+   * ProjectedCholesky (default) or the thesis's LU, which takes twice the work.
+   */
+  vtkSetClampMacro(Solver, int, ProjectedCholesky, LU);
+  vtkGetMacro(Solver, int);
+  ///@}
+
+  ///@{
+  /**
+   * 0, the default: constraints are met exactly. Larger values (1e-6 little, 1e-3 much) let the
+   * function miss them and be smoother; no unit.
+   */
+  vtkSetMacro(Smoothing, double);
+  vtkGetMacro(Smoothing, double);
+  ///@}
+
+  ///@{
+  /**
+   * Edge of a cell in the units of the input; 0, the default: from the distance of the contour
+   * points and the size of their bounding box. A size that would take too many cells is refused
+   * with their number.
+   */
+  vtkSetMacro(CellSize, double);
+  vtkGetMacro(CellSize, double);
+  ///@}
+
+  ///@{
+  /**
+   * Use Bounds instead of the contours' bounding box, enlarged. Off by default.
+   */
+  vtkSetMacro(UseBounds, bool);
+  vtkGetMacro(UseBounds, bool);
+  vtkBooleanMacro(UseBounds, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Where the surface is followed: xmin, xmax, ymin, ymax, zmin, zmax.
+   */
+  vtkSetVector6Macro(Bounds, double);
+  vtkGetVector6Macro(Bounds, double);
+  ///@}
+
+  ///@{
+  /**
+   * Close the solid where it reaches the bounds. On by default; off leaves a border there.
+   */
+  vtkSetMacro(ClosedAtBounds, bool);
+  vtkGetMacro(ClosedAtBounds, bool);
+  vtkBooleanMacro(ClosedAtBounds, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Remove slivers: no triangle with an angle under a degree. On by default.
+   */
+  vtkSetMacro(CleanUp, bool);
+  vtkGetMacro(CleanUp, bool);
+  vtkBooleanMacro(CleanUp, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Move the nearest mesh point onto each contour point where that leaves good triangles. Off by
+   * default.
+   */
+  vtkSetMacro(SnapToContours, bool);
+  vtkGetMacro(SnapToContours, bool);
+  vtkBooleanMacro(SnapToContours, bool);
+  ///@}
+
+  ///@{
+  /**
+   * More cells than this are refused, before and while they are made.
+   */
+  vtkSetMacro(MaximumCells, double);
+  vtkGetMacro(MaximumCells, double);
+  ///@}
+
+  ///@{
+  /**
+   * Number of threads; 0, the default, takes all of the machine. The result does not depend on it.
+   */
+  vtkSetClampMacro(Threads, int, 0, 1024);
+  vtkGetMacro(Threads, int);
+  ///@}
+
+protected:
+  vtkImplicitSurface() = default;
+  ~vtkImplicitSurface() override = default;
+
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+private:
+  vtkImplicitSurface(const vtkImplicitSurface&) = delete;
+  void operator=(const vtkImplicitSurface&) = delete;
+
+  int Mode = Margins;
+  int Values = Distance;
+  int Normals = Refined;
+  double MarginDistance = 0.0;
+  double MergeBox = 0.0;
+  double ResampleSpacing = 0.0;
+  double ResampleTolerance = 0.0;
+  int Kernel = Triharmonic;
+  double SupportRadius = 0.0;
+  int Solver = ProjectedCholesky;
+  double Smoothing = 0.0;
+  double CellSize = 0.0;
+  bool UseBounds = false;
+  double Bounds[6] = { 0.0, 1.0, 0.0, 1.0, 0.0, 1.0 };
+  bool ClosedAtBounds = true;
+  bool CleanUp = true;
+  bool SnapToContours = false;
+  double MaximumCells = 4e6;
+  int Threads = 0;
+};
+
+#endif
