@@ -61,8 +61,8 @@ def show_contours(producer, view, position):
     nodes = [hierarchy]
     deepest = int(hierarchy.CellData["Depth"].GetRange()[1])
     for depth in range(deepest + 1):
-        level = simple.Threshold(Input=hierarchy, Scalars=["CELLS", "Depth"], LowerThreshold=depth,
-                                 UpperThreshold=depth)
+        level = simple.Threshold(Input=hierarchy, Scalars=["CELLS", "Depth"], LowerThreshold=depth - 0.5,
+                                 UpperThreshold=depth + 0.5)
         shown = simple.Show(level, view)
         shown.Representation = "Wireframe"
         shown.ColorArrayName = ["POINTS", ""]

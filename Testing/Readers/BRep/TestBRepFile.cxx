@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
@@ -292,7 +293,9 @@ TEST(BRepFileInvalid, EveryMutationOfTheExampleIsASentence)
     mutation = tokens;
     mutation.insert(mutation.begin() + static_cast<std::ptrdiff_t>(i), tokens[i]);
     expectSentence(mutation, i);
-    for (const char* other : { "junk", "-", "1e999", "nan", "(", ")", "END_SHELL", "\"" })
+    const std::array<const char*, 8> words{ "junk", "-", "1e999", "nan", "(", ")", "END_SHELL",
+      "\"" };
+    for (const char* other : { words[i % 8], words[(i + 3) % 8] })
     {
       if (tokens[i] != other)
       {
@@ -328,7 +331,7 @@ TEST(BRepFileInvalid, NoByteCrashesIt)
   const std::string text = ReadTextFile(Example());
   unsigned state = 12345;
   int refused = 0;
-  for (int i = 0; i < 3000; ++i)
+  for (int i = 0; i < 1500; ++i)
   {
     std::string mutation = text;
     for (int k = 0; k < 1 + i % 3; ++k)
@@ -340,7 +343,7 @@ TEST(BRepFileInvalid, NoByteCrashesIt)
     refused += !sentence.empty();
     EXPECT_TRUE(sentence.empty() || sentence.rfind("Cannot read ", 0) == 0) << sentence;
   }
-  EXPECT_GT(refused, 1000);
+  EXPECT_GT(refused, 500);
 }
 
 TEST(BRepFileInvalid, SentencesNameLineAndToken)
