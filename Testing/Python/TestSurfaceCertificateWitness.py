@@ -126,13 +126,36 @@ def is_parallel(contours):
     return len(normals) == 1 and levels.GetNumberOfTuples() > 1
 
 
+def read_off(path):
+    """vtkPolyData of an .off file, which ParaView cannot read."""
+    from certificateshapes import surface
+    with open(path) as file:
+        words = [w for line in file for w in line.split("#")[0].split()]
+    if words[0] != "OFF":
+        raise ValueError(f"{path} does not begin with OFF")
+    count, faces = int(words[1]), int(words[2])
+    points = [tuple(float(w) for w in words[4 + 3 * i:7 + 3 * i]) for i in range(count)]
+    cells, at = [], 4 + 3 * count
+    for _ in range(faces):
+        corners = int(words[at])
+        cells.append([int(w) for w in words[at + 1:at + 1 + corners]])
+        at += 1 + corners
+    return surface(points, cells)
+
+
 def stored_surfaces():
-    pattern = "**/*.stl" if ALL else "reference/eight_15*.stl"
-    root = SHARED if ALL else os.path.join(SHARED, "csl")
-    for path in sorted(glob.glob(os.path.join(root, pattern), recursive=True)):
-        made = ct.data(simple.STLReader(FileNames=[path]))
-        if made.GetNumberOfCells() > 0:
-            yield os.path.basename(path), made
+    """(name, surface) of closed meshes that others made."""
+    if not ALL:
+        yield "eight_15_scaled.stl", ct.data(
+            simple.STLReader(FileNames=[ct.shared("csl/reference/eight_15_scaled.stl")]))
+        yield "femur.off", read_off(ct.shared("mesh/femur.off"))
+        return
+    for path in sorted(glob.glob(os.path.join(SHARED, "csl", "reference", "*.stl"))):
+        yield os.path.basename(path), ct.data(simple.STLReader(FileNames=[path]))
+    for path in sorted(glob.glob(os.path.join(SHARED, "mesh", "*.obj"))):
+        yield os.path.basename(path), ct.data(simple.WavefrontOBJReader(FileName=path))
+    for path in sorted(glob.glob(os.path.join(SHARED, "mesh", "*.off"))):
+        yield os.path.basename(path), read_off(path)
 
 
 def write(data, name):
