@@ -97,7 +97,7 @@ def main():
             "by the Surface Certificate. Written by `./run certificates`; units are those of the input, angles in "
             "degrees. *Crossing*, *overlapping* and *touching* count pairs of triangles; touching is what a "
             "surface cut apart into a manifold leaves. *Vertex off* and *edge off* are the farthest that a contour vertex "
-            "or edge is from the surface; *worst level* is the largest area, in percent of a level's contours, that "
+            "or edge is from the surface, those of contours that were left out included; *worst level* is the largest area, in percent of a level's contours, that "
             "belongs to the contours or to the surface's section alone; *notes* is the number of contours that were "
             "repaired or left out, which the surface names in its field data Report. Seconds are those of reconstruction and "
             "certificate on two cores.\n\n")
