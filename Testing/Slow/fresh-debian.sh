@@ -25,7 +25,8 @@ in_root() { chroot "$root" /usr/bin/env -i HOME=/root PATH=/usr/sbin:/usr/bin:/s
 leave()
 {
   for place in proc dev/shm; do
-    mountpoint -q "$root/$place" && umount "$root/$place"
+    # Never remove anything below a place that is still mounted.
+    ! mountpoint -q "$root/$place" || umount "$root/$place" || return 0
   done
   [[ "$work_dir" == *fresh-debian.* ]] && rm -rf "$work_dir"
   return 0
@@ -60,7 +61,7 @@ clone()
 {
   # Through a bundle: the root filesystem sees what is committed, and nothing of this machine.
   git -C "$source_dir" bundle create "$root/root/project.bundle" HEAD >/dev/null 2>&1
-  in_root git clone -q /root/project.bundle /root/project
+  in_root git -c advice.detachedHead=false clone -q /root/project.bundle /root/project
 }
 
 timed "debootstrap, git" make_root
