@@ -156,8 +156,10 @@ private:
    */
   void HalveSharedEdges()
   {
-    // By vertices: the wedges at an edge where more than two faces meet.
-    std::unordered_map<std::uint64_t, int> firstOf;
+    // By vertices: the wedges at an edge where more than two faces meet. The edges at the lesser of
+    // their two vertices form a chain; there are few at each.
+    std::vector<int> first(this->Solid.Vertices.size(), -1);
+    std::vector<int> next(this->Partner.size(), -1);
     std::map<std::uint64_t, std::vector<int>> wedges;
     for (std::size_t i = 0; i < this->Partner.size(); ++i)
     {
@@ -166,16 +168,25 @@ private:
       {
         continue;
       }
-      const auto known = firstOf.emplace(this->VertexKeyOf(h), h);
-      if (!known.second)
+      const std::uint64_t key = this->VertexKeyOf(h);
+      int& begin = first[key >> 32];
+      int known = begin;
+      while (known >= 0 && this->VertexKeyOf(known) != key)
       {
-        auto& here = wedges[known.first->first];
-        if (here.empty())
-        {
-          here.push_back(known.first->second);
-        }
-        here.push_back(h);
+        known = next[known];
       }
+      if (known < 0)
+      {
+        next[i] = begin;
+        begin = h;
+        continue;
+      }
+      auto& here = wedges[key];
+      if (here.empty())
+      {
+        here.push_back(known);
+      }
+      here.push_back(h);
     }
     this->Boundary.CutEdges = static_cast<int>(wedges.size());
     std::vector<int> halve;
