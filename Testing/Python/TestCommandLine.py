@@ -74,6 +74,11 @@ reader.SetFileName(os.path.join(FOLDER, "plain.vtp"))
 reader.Update()
 ct.check(reader.GetOutput().GetNumberOfPolys() < with_points, "--set InternalPoints=0 leaves them out")
 
+# Contours on planes of any orientation are the implicit method's.
+table = succeeds(ct.own("femur_head.csl"), "femur.vtp", "--method", "ism", "--set", "CellSize=2")
+row = [line for line in table.splitlines() if line.startswith("femur_head")][0].split()
+ct.check(row[1] == "11" and row[3:5] == ["yes", "yes"], f"11 contours give a closed manifold: {row}")
+
 fails("There is no file", "nothing.cnt", "out.vtp")
 fails("cannot read '.xyz'", shutil.copy(brain, ct.output("brain.xyz")), "out.vtp")
 fails("cannot write '.obj'", brain, "out.obj")
