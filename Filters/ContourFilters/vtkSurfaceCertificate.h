@@ -17,17 +17,19 @@
  * Output port 0: the surface, triangles only, in the structure of the input, with
  * - cell array `Defect` (int, bits; 0 = nothing wrong): 1 open edge, 2 edge of more than two
  *   triangles, 4 neighbours that disagree in orientation, 8 pinched vertex, 16 duplicate, 32
- * degenerate, 64 crosses another triangle, 128 overlaps another, 256 of a component that is inside
- * out, 512 touches another (not in itself wrong; `Threshold` from 1 to 511 shows what is);
+ * degenerate, 64 crosses another triangle (or sheets cross at an edge of it), 128 overlaps another,
+ * 256 of a component that is inside out, 512 touches another (not in itself wrong; `Threshold` from
+ * 1 to 511 shows what is);
  * - cell array `ComponentId` (int, by first triangle; -1 for collapsed triangles on their own);
  * - field data, one value each, for the whole surface: the flags (0 or 1) `Sound`, `Closed`,
  *   `EdgeManifold`, `VertexManifold`, `Oriented`, `Outward`; the counts `Components`, `Points`,
  *   `Edges`, `Triangles`, `OpenEdges`, `OverusedEdges`, `MisorientedEdges`, `PinchedVertices`,
  *   `DuplicateTriangles`, `DegenerateTriangles`, `Euler`, `Genus`, `Nesting`, `CrossingPairs`,
- *   `OverlappingPairs`, `TouchingPairs`; the reals `Volume`, `Area`, `CentroidX`, `CentroidY`,
- *   `CentroidZ`, `LowX` ... `HighZ` (bounds), `SmallestAngle`. A figure without meaning (the volume
- * of a surface that encloses none, the genus of one that is no closed manifold) is NaN, of a count
- * -1;
+ *   `OverlappingPairs`, `TouchingPairs`, `CrossingEdges` (edges of equal coordinates at which
+ * sheets of the surface pass through one another); the reals `Volume`, `Area`, `CentroidX`,
+ * `CentroidY`, `CentroidZ`, `LowX` ... `HighZ` (bounds), `SmallestAngle`. A figure without meaning
+ * (the volume of a surface that encloses none, the genus of one that is no closed manifold) is NaN,
+ * of a count -1;
  * - with contours, field data `ContourVertices`, `FarthestContourVertex`, `MeanContourVertex`,
  *   `FarthestContourEdge`, `MeanContourEdge`, `FarthestContourX`, `FarthestContourY`,
  *   `FarthestContourZ`, `WorstSectionPercent`, `TotalSectionPercent`, and an entry a level

@@ -2,9 +2,12 @@
 #include "Certificate.h"
 
 #include "../Implicit/SubMonitor.h"
+#include "MeshDefects.h"
 #include "TriangleTree.h"
 
 #include <algorithm>
+#include <set>
+#include <utility>
 
 namespace recon
 {
@@ -66,6 +69,21 @@ void TakeIntersections(SelfIntersections&& found, SurfaceCertificate& certificat
   certificate.Pairs = std::move(found.Pairs);
 }
 
+void TakeSheetCrossings(const SheetCrossings& found, SurfaceCertificate& certificate)
+{
+  certificate.Total.CrossingEdges = found.Edges;
+  std::set<std::pair<int, int>> counted; // edge and component
+  for (const auto& [edge, triangle] : found.Triangles)
+  {
+    const int component = certificate.ComponentOfTriangle[triangle];
+    if (counted.emplace(edge, component).second)
+    {
+      ++certificate.Components[component].CrossingEdges;
+    }
+    certificate.DefectOfTriangle[triangle] |= DefectCrossing;
+  }
+}
+
 SurfaceCertificate CertifyAsIs(const TriangleMesh& mesh, const ContourSet* contours,
   const CertificateOptions& options, Monitor& monitor)
 {
@@ -82,6 +100,7 @@ SurfaceCertificate CertifyAsIs(const TriangleMesh& mesh, const ContourSet* conto
   pairs.ComponentOfTriangle = &certificate.ComponentOfTriangle;
   SubMonitor pairsMonitor(monitor, shares.Topology, shares.Intersections);
   TakeIntersections(FindSelfIntersections(mesh, pairs, pairsMonitor), certificate);
+  TakeSheetCrossings(FindSheetCrossings(mesh), certificate);
   if (!contours)
   {
     return certificate;

@@ -15,6 +15,7 @@
 #include "MeshTopology.h"
 #include "SectionComparison.h"
 #include "SelfIntersections.h"
+#include "SheetCrossings.h"
 #include "TriangleMesh.h"
 
 #include <optional>
@@ -27,15 +28,17 @@ namespace recon
 struct ComponentCertificate
 {
   TopologyFigures Topology;
-  PairCounts Pairs; ///< of triangles; for a component those with at least one triangle of it
+  PairCounts Pairs;      ///< of triangles; for a component those with at least one triangle of it
+  int CrossingEdges = 0; ///< see SheetCrossings; for a component those at which a triangle of it is
   MassFigures Mass;
   int Nesting = 0; ///< number of closed components around it; for the whole the deepest of them
 
-  /// Closed, manifold, oriented outward, and no two triangles cross or overlap.
+  /// Closed, manifold, oriented outward, no two triangles cross or overlap, no two sheets cross.
   bool IsSound() const
   {
     return this->Topology.Closed && this->Topology.Manifold() && this->Topology.Oriented &&
-      this->Topology.Outward && this->Pairs.Crossing + this->Pairs.Overlapping == 0;
+      this->Topology.Outward && this->Pairs.Crossing + this->Pairs.Overlapping == 0 &&
+      this->CrossingEdges == 0;
   }
 };
 

@@ -146,6 +146,7 @@ std::string ListDefects(const ComponentCertificate& total)
     { total.Pairs.Crossing, { "pair of triangles that cross", "pairs of triangles that cross" } },
     { total.Pairs.Overlapping,
       { "pair of triangles that overlap", "pairs of triangles that overlap" } },
+    { total.CrossingEdges, { "edge at which sheets cross", "edges at which sheets cross" } },
   };
   std::string text;
   for (const auto& [number, names] : defects)
@@ -217,6 +218,7 @@ std::vector<CertificateFigure> ListFigures(const ComponentCertificate& certifica
   AddCount(figures, "CrossingPairs", certificate.Pairs.Crossing);
   AddCount(figures, "OverlappingPairs", certificate.Pairs.Overlapping);
   AddCount(figures, "TouchingPairs", certificate.Pairs.Touching);
+  AddCount(figures, "CrossingEdges", certificate.CrossingEdges);
   AddReal(figures, "Volume", certificate.Mass.Volume);
   AddReal(figures, "Area", certificate.Mass.Area);
   AddPoint(figures, "Centroid", certificate.Mass.Centroid);

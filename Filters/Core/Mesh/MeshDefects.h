@@ -22,10 +22,11 @@ enum TriangleDefect : int
   DefectPinchedVertex = 8,   ///< triangles around one of its corners form more than one fan
   DefectDuplicate = 16,      ///< another triangle has the same three corners
   DefectDegenerate = 32,     ///< its corners repeat or lie on one line
-  DefectCrossing = 64,       ///< its interior meets the interior of a triangle of another plane
-  DefectOverlapping = 128,   ///< it shares some area with a triangle of the same plane
-  DefectInward = 256,        ///< its component is closed and oriented, but inside out
-  DefectTouching = 512 ///< meets another triangle elsewhere than in a corner or edge they share
+  DefectCrossing = 64, ///< its interior meets that of a triangle of another plane, or sheets cross
+                       ///< at an edge of it
+  DefectOverlapping = 128, ///< it shares some area with a triangle of the same plane
+  DefectInward = 256,      ///< its component is closed and oriented, but inside out
+  DefectTouching = 512     ///< meets another triangle elsewhere than in a corner or edge they share
 };
 
 /// All bits that say that something is wrong, which is all but DefectTouching.

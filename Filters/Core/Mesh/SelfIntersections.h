@@ -79,7 +79,9 @@ struct SelfIntersectionOptions
  * passed over.
  *
  * A pair is a local matter: where a surface passes through itself exactly along edges and corners
- * of its own, no two triangles have inner points in common and all pairs merely touch.
+ * of its own, no two triangles have inner points in common and all pairs merely touch. Where edges
+ * coincide FindSheetCrossings tells; where an edge lies within a face or part of another edge
+ * nothing does.
  *
  * @throws Error where an index is out of range or a coordinate not finite; Aborted.
  */

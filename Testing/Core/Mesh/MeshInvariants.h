@@ -24,6 +24,7 @@
 #include "Mesh/MeshTopology.h"
 #include "Mesh/SectionComparison.h"
 #include "Mesh/SelfIntersections.h"
+#include "Mesh/SheetCrossings.h"
 
 #include <gtest/gtest.h>
 
@@ -100,7 +101,8 @@ inline void ExpectOriented(const TriangleMesh& mesh)
   EXPECT_TRUE(topology.Total.Outward) << where;
 }
 
-/// No two triangles cross or overlap. Touching is allowed: it is what a manifold cut leaves.
+/// No two triangles cross or overlap, no two sheets cross. Touching is allowed: it is what a
+/// manifold cut leaves.
 inline void ExpectNoSelfIntersections(const TriangleMesh& mesh)
 {
   Monitor monitor;
@@ -116,6 +118,9 @@ inline void ExpectNoSelfIntersections(const TriangleMesh& mesh)
   }
   EXPECT_EQ(found.Crossing, 0) << where;
   EXPECT_EQ(found.Overlapping, 0) << where;
+  const SheetCrossings sheets = FindSheetCrossings(mesh);
+  EXPECT_EQ(sheets.Edges, 0) << "sheets cross at edges, the first at "
+                             << Describe(mesh, sheets.Triangles.front().second);
 }
 
 /// All of the above.

@@ -32,7 +32,9 @@ std::map<std::string, std::optional<double>> ByName(const std::vector<Certificat
 ContourSet MakeSquareLevel(double offset, double x)
 {
   ContourSet set;
-  set.Levels.push_back({ PlanarFrame(), offset, { 0 } });
+  set.Levels.emplace_back();
+  set.Levels.back().Offset = offset;
+  set.Levels.back().Contours = { 0 };
   Contour contour;
   contour.Level = 0;
   for (const auto& p : { Point2{ 0, 0 }, Point2{ 1, 0 }, Point2{ 1, 1 }, Point2{ 0, 1 } })

@@ -39,7 +39,9 @@ void AddLevel(
   const PlanarFrame& frame, double offset, const std::vector<Ring>& rings, ContourSet& set)
 {
   const int level = static_cast<int>(set.Levels.size());
-  set.Levels.push_back({ frame, offset, {} });
+  set.Levels.emplace_back();
+  set.Levels.back().Frame = frame;
+  set.Levels.back().Offset = offset;
   for (const auto& ring : rings)
   {
     Contour contour;

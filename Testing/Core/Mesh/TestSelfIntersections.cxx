@@ -2,6 +2,7 @@
 #include "Mesh/MeshDefects.h"
 #include "Mesh/MeshTopology.h"
 #include "Mesh/SelfIntersections.h"
+#include "Mesh/SheetCrossings.h"
 #include "Mesh/TrianglePair.h"
 #include "MeshShapes.h"
 
@@ -233,6 +234,85 @@ TEST(SelfIntersections, BoxesThatShareAnEdgeTouch)
   const SelfIntersections welded = Find(WeldPoints(mesh));
   EXPECT_FALSE(welded.Any());
   EXPECT_EQ(welded.Touching, 0) << "what is shared by index is connected";
+}
+
+namespace
+{
+/// Four faces around the z axis, a quarter turn apart; each is on one of two copies of the axis.
+TriangleMesh MakeFourFaces(const std::array<int, 4>& axisOfFace)
+{
+  TriangleMesh mesh;
+  mesh.Points = { { 0, 0, 0 }, { 0, 0, 1 }, { 0, 0, 0 }, { 0, 0, 1 }, { 1, 0, 0.5 }, { 0, 1, 0.5 },
+    { -1, 0, 0.5 }, { 0, -1, 0.5 } };
+  for (int f = 0; f < 4; ++f)
+  {
+    mesh.Triangles.push_back({ 2 * axisOfFace[f], 2 * axisOfFace[f] + 1, 4 + f });
+  }
+  return mesh;
+}
+}
+
+TEST(SheetCrossings, DependOnWhichFacesAreJoined)
+{
+  EXPECT_EQ(FindSheetCrossings(MakeFourFaces({ 0, 0, 1, 1 })).Edges, 0);
+  EXPECT_EQ(FindSheetCrossings(MakeFourFaces({ 0, 1, 1, 0 })).Edges, 0);
+  const SheetCrossings crossing = FindSheetCrossings(MakeFourFaces({ 0, 1, 0, 1 }));
+  EXPECT_EQ(crossing.Edges, 1);
+  EXPECT_EQ(crossing.Triangles.size(), 4u);
+  EXPECT_FALSE(Find(MakeFourFaces({ 0, 1, 0, 1 })).Any()) << "the pairs alone do not tell";
+  EXPECT_EQ(FindSheetCrossings(MakeFourFaces({ 0, 0, 0, 0 })).Edges, 0) << "one edge of four";
+}
+
+TEST(SheetCrossings, AnyRotationAndTiltAndFacesOnOneAnother)
+{
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> coordinate(-1, 1);
+  for (int i = 0; i < 200; ++i)
+  {
+    TriangleMesh mesh = MakeFourFaces({ 0, 1, 0, 1 });
+    const Vector3 shear{ coordinate(random), coordinate(random), coordinate(random) };
+    const double turn = 4 * coordinate(random);
+    for (auto& p : mesh.Points)
+    {
+      // Turned about the axis and sheared: which faces lie between which stays the same.
+      p = { std::cos(turn) * p[0] - std::sin(turn) * p[1] + shear[0] * p[2],
+        std::sin(turn) * p[0] + std::cos(turn) * p[1] + shear[1] * p[2], p[2] + shear[2] * p[0] };
+    }
+    EXPECT_EQ(FindSheetCrossings(mesh).Edges, 1);
+    for (auto& t : mesh.Triangles)
+    {
+      std::rotate(t.begin(), t.begin() + random() % 3, t.end());
+    }
+    EXPECT_EQ(FindSheetCrossings(mesh).Edges, 1);
+  }
+  TriangleMesh flat = MakeFourFaces({ 0, 1, 0, 1 });
+  flat.Points[5] = flat.Points[4]; // a face of each sheet in one place: they overlap
+  EXPECT_EQ(FindSheetCrossings(flat).Edges, 0);
+  EXPECT_EQ(Find(flat).Overlapping, 1);
+}
+
+TEST(SheetCrossings, LatticeBoxesThatCrossAlongTheirOwnEdges)
+{
+  // Two bars of unit cells that cross each other at right angles, the seam along edges of both.
+  const auto bar = [](int x0, int x1, int y0, int y1, int z0, int z1)
+  {
+    return MakeFromCells({ 5, 5, 5 },
+      [=](int x, int y, int z)
+      { return x >= x0 && x < x1 && y >= y0 && y < y1 && z >= z0 && z < z1; });
+  };
+  TriangleMesh mesh = bar(0, 5, 1, 4, 1, 4);
+  Append(mesh, bar(1, 4, 2, 3, 0, 5));
+  const SelfIntersections pairs = Find(mesh);
+  EXPECT_EQ(pairs.Crossing, 0) << "no triangle's interior is entered";
+  EXPECT_EQ(pairs.Overlapping, 0);
+  EXPECT_EQ(FindSheetCrossings(mesh).Edges, 2 * (3 + 1 + 3 + 1)) << "the seams above and below";
+  TriangleMesh side = bar(0, 2, 0, 2, 0, 2);
+  Append(side, bar(2, 4, 2, 4, 0, 2));
+  EXPECT_EQ(FindSheetCrossings(side).Edges, 0) << "boxes edge to edge do not cross";
+  for (const auto& sound : { MakeCube(), MakeSponge(2), MakeLinkedTori(), MakeTorus(1, 1) })
+  {
+    EXPECT_EQ(FindSheetCrossings(sound).Edges, 0);
+  }
 }
 
 TEST(SelfIntersections, SoundShapesHaveNone)
