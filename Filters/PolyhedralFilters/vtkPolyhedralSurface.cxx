@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkPolyhedralSurface.h"
 
+#include "JoinTable.h"
 #include "Polyhedral/PolyhedralSurface.h"
 #include "PolyhedralInput.h"
 #include "vtkContourMonitor.h"
@@ -11,6 +12,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkStringArray.h"
+#include "vtkTable.h"
 
 vtkStandardNewMacro(vtkPolyhedralSurface);
 
@@ -58,6 +60,30 @@ void FillOutput(vtkPolyData* input, const recon::ContourSet& contours,
   report.insert(report.end(), surface.Report.begin(), surface.Report.end());
   recon::SetReport(report, output);
 }
+}
+
+//------------------------------------------------------------------------------
+vtkPolyhedralSurface::vtkPolyhedralSurface()
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+//------------------------------------------------------------------------------
+void vtkPolyhedralSurface::SetOverridesConnection(vtkAlgorithmOutput* overrides)
+{
+  this->SetInputConnection(1, overrides);
+}
+
+//------------------------------------------------------------------------------
+int vtkPolyhedralSurface::FillInputPortInformation(int port, vtkInformation* info)
+{
+  if (port == 0)
+  {
+    return this->Superclass::FillInputPortInformation(port, info);
+  }
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkTable");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  return 1;
 }
 
 //------------------------------------------------------------------------------
@@ -114,8 +140,15 @@ int vtkPolyhedralSurface::RequestData(
     options.LiftInternalPoints = this->LiftInternalPoints;
     options.Mapping = static_cast<recon::PolyhedralOptions::MappingType>(this->Mapping);
     options.OverlapThreshold = this->OverlapThreshold;
-    options.ForcedJoins = this->ForcedJoins;
-    options.ForbiddenJoins = this->ForbiddenJoins;
+    recon::ContourMappingOptions overrides;
+    overrides.ForcedJoins = this->ForcedJoins;
+    overrides.ForbiddenJoins = this->ForbiddenJoins;
+    if (vtkTable* table = vtkTable::GetData(inputVector[1], 0))
+    {
+      recon::ReadJoinOverrides(table, overrides);
+    }
+    options.ForcedJoins = overrides.ForcedJoins;
+    options.ForbiddenJoins = overrides.ForbiddenJoins;
     options.MaximumGap = this->MaximumGap;
     options.EndCaps = static_cast<recon::PolyhedralOptions::EndCapsType>(this->EndCaps);
     options.IsolatedContours =

@@ -136,10 +136,18 @@ public:
   vtkGetMacro(Threads, int);
   ///@}
 
+  /**
+   * Optional second input: a vtkTable whose columns `LowerContour`, `UpperContour` and `Join` (1
+   * force, 0 forbid) add to the forced and forbidden joins; the table that Contour Mapping gives,
+   * edited, will do.
+   */
+  void SetOverridesConnection(vtkAlgorithmOutput* overrides);
+
 protected:
-  vtkPolyhedralSurface() = default;
+  vtkPolyhedralSurface();
   ~vtkPolyhedralSurface() override = default;
 
+  int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 

@@ -85,12 +85,13 @@ bool IsContourEdge(const Edge& edge)
   return edge.first->is_constrained(edge.second);
 }
 
-/// The circle with the edge as diameter holds p, or p is on it.
+/// The circle with the edge as diameter holds p inside; on it the angle is right, which condition 2
+/// allows.
 bool Encroaches(const Kernel::Point_2& p, const Edge& edge)
 {
   const auto& a = edge.first->vertex(Triangulation::cw(edge.second))->point();
   const auto& b = edge.first->vertex(Triangulation::ccw(edge.second))->point();
-  return CGAL::side_of_bounded_circle(a, b, p) != CGAL::ON_UNBOUNDED_SIDE;
+  return CGAL::side_of_bounded_circle(a, b, p) == CGAL::ON_BOUNDED_SIDE;
 }
 
 /// The outer wall of every connected part of IR: the contour of even depth at its border, or the
