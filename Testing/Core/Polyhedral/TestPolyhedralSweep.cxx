@@ -54,7 +54,6 @@ const Case AllCases[] = {
 
 /// Small enough to try all options; TestPolyhedralSweepSlow has the others.
 const Case OptionCases[] = {
-  { "rtstruct/cerr_ibsi.dcm", 1 },
   { "rtstruct/rtutils_keyholes.dcm", 4 },
   { "rtstruct/rtutils_single_slice_hole.dcm", 0 },
   { "rtstruct/pydicom_no_preamble_points.dcm", 1 },

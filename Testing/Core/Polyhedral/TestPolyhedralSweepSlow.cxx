@@ -10,6 +10,7 @@ using namespace recon::testing;
 namespace
 {
 const Case LargeCases[] = {
+  { "rtstruct/cerr_ibsi.dcm", 1 },
   { "rtstruct/dicompyler_rtss.dcm", 9 },
   { "rtstruct/dicomexport_rs.dcm", 11 },
   { "rtstruct/pyorthanc_cone_02mm.dcm", 1 },
