@@ -15,7 +15,7 @@ import contourcli as cli
 
 SOURCE = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 TITLES = ["file", "region", "contours", "triangles", "components", "genus", "closed", "manifold", "outward",
-          "crossing", "overlapping", "touching", "smallest angle", "volume", "area", "vertex off", "edge off",
+          "crossing", "sheets", "overlapping", "touching", "smallest angle", "volume", "area", "vertex off", "edge off",
           "worst level, %", "notes", "seconds"]
 
 
@@ -70,7 +70,7 @@ def row(shown, contours):
     return [shown, contours.name, str(contours.data.GetNumberOfCells()), str(total["Triangles"]),
             str(total["Components"]), number(total["Genus"]), yes(total["Closed"]),
             yes(total["EdgeManifold"] and total["VertexManifold"] and total["Oriented"]), yes(total["Outward"]),
-            zero(total["CrossingPairs"]), zero(total["OverlappingPairs"]), str(total["TouchingPairs"]),
+            zero(total["CrossingPairs"]), zero(total["CrossingEdges"]), zero(total["OverlappingPairs"]), str(total["TouchingPairs"]),
             number(total["SmallestAngle"], 2), number(total["Volume"]), number(total["Area"]),
             number(along["FarthestContourVertex"], 2), number(along["FarthestContourEdge"], 2),
             number(along["WorstSectionPercent"], 2), str(len(result.report)), f"{sum(s for _, s in result.seconds):.2f}"]
@@ -95,8 +95,8 @@ def main():
             "# Certificates\n\n"
             "Every region of interest, reconstructed by the Polyhedral Surface with default settings and examined "
             "by the Surface Certificate. Written by `./run certificates`; units are those of the input, angles in "
-            "degrees. *Crossing*, *overlapping* and *touching* count pairs of triangles; touching is what a "
-            "surface cut apart into a manifold leaves. *Vertex off* and *edge off* are the farthest that a contour vertex "
+            "degrees. *Crossing*, *overlapping* and *touching* count pairs of triangles, *sheets* edges at "
+            "which sheets of the surface cross; touching is what a surface cut apart into a manifold leaves. *Vertex off* and *edge off* are the farthest that a contour vertex "
             "or edge is from the surface, those of contours that were left out included; *worst level* is the largest area, in percent of a level's contours, that "
             "belongs to the contours or to the surface's section alone; *notes* is the number of contours that were "
             "repaired or left out, which the surface names in its field data Report. Seconds are those of reconstruction and "

@@ -13,7 +13,7 @@ namespace recon
 {
 namespace
 {
-/// Points of a component that are looked at.
+/// Points of each kind of a component that are looked at.
 constexpr int QueriesAComponent = 8;
 
 struct Box
@@ -43,6 +43,7 @@ struct Query
 {
   Point3 Point;
   int Component;
+  bool IsCorner; ///< exact; else the rounded middle of a face
 };
 
 enum class RayHit
@@ -116,15 +117,10 @@ public:
     std::sort(this->Queries.begin(), this->Queries.end(),
       [](const Query& a, const Query& b) { return a.Point[0] < b.Point[0]; });
     this->CastAll();
-    const auto inside = this->CountInside();
-    const auto onSurface = this->CountOnSurface();
     std::vector<int> depth(this->Encloses.size(), 0);
-    for (const auto& [pair, count] : inside)
+    for (const auto& [pair, votes] : this->CountVotes())
     {
-      // Points on the other component speak neither for nor against.
-      const auto tied = onSurface.find(pair);
-      const int silent = tied == onSurface.end() ? 0 : tied->second;
-      depth[pair.first] += count + silent == this->NumberOfQueries[pair.first] ? 1 : 0;
+      depth[pair.first] += this->LiesAround(votes, pair.first) ? 1 : 0;
     }
     return depth;
   }
@@ -137,7 +133,8 @@ private:
   /// pyramid that stands on them).
   void CollectQueries(const std::vector<int>& size)
   {
-    this->NumberOfQueries.assign(size.size(), 0);
+    this->NumberOfCorners.assign(size.size(), 0);
+    this->NumberOfMiddles.assign(size.size(), 0);
     std::vector<int> seen(size.size(), 0);
     std::set<std::pair<int, int>> asked; // component and point
     for (std::size_t t = 0; t < this->Mesh.Triangles.size(); ++t)
@@ -154,23 +151,34 @@ private:
         {
           if (asked.emplace(c, p).second)
           {
-            this->AddQuery(c, p);
+            this->AddCorner(c, p);
           }
         }
+        this->AddMiddle(c, corners);
         continue;
       }
       const int step = size[c] / QueriesAComponent;
-      if (seen[c]++ % step == 0 && this->NumberOfQueries[c] < QueriesAComponent)
+      if (seen[c]++ % step == 0 && this->NumberOfCorners[c] < QueriesAComponent)
       {
-        this->AddQuery(c, corners[this->NumberOfQueries[c] % 3]);
+        this->AddCorner(c, corners[this->NumberOfCorners[c] % 3]);
+        this->AddMiddle(c, corners);
       }
     }
   }
 
-  void AddQuery(int component, int point)
+  void AddCorner(int component, int point)
   {
-    ++this->NumberOfQueries[component];
-    this->Queries.push_back({ this->Mesh.Points[point], component });
+    ++this->NumberOfCorners[component];
+    this->Queries.push_back({ this->Mesh.Points[point], component, true });
+  }
+
+  void AddMiddle(int component, const std::array<int, 3>& corners)
+  {
+    ++this->NumberOfMiddles[component];
+    const auto& points = this->Mesh.Points;
+    this->Queries.push_back({ (1.0 / 3) * points[corners[0]] +
+        ((1.0 / 3) * points[corners[1]] + (1.0 / 3) * points[corners[2]]),
+      component, false });
   }
 
   void CastAll()
@@ -222,32 +230,52 @@ private:
       this->Boxes[outer].Contains(this->Boxes[inner].High);
   }
 
-  /// How many points of the one lie inside the other and not on it: odd numbers of hits.
-  std::map<Pair, int> CountInside() const
+  /// What the points of one component say about another that may lie around it.
+  struct Votes
   {
-    std::map<Pair, int> inside;
+    int CornersInside = 0; ///< and not on it
+    int CornersOn = 0;
+    int MiddlesInside = 0; ///< and not on it
+    int MiddlesOn = 0;
+  };
+
+  bool LiesAround(const Votes& votes, int component) const
+  {
+    const int corners = this->NumberOfCorners[component];
+    if (votes.CornersOn < corners)
+    {
+      // Corners on the other component speak neither for nor against.
+      return votes.CornersInside + votes.CornersOn == corners;
+    }
+    // A cavity may touch the surface around it with all of its corners; middles of faces are
+    // off that, but rounded, so most of them decide.
+    return 2 * votes.MiddlesInside > this->NumberOfMiddles[component] - votes.MiddlesOn;
+  }
+
+  std::map<Pair, Votes> CountVotes() const
+  {
+    std::map<Pair, Votes> votes;
+    // Inside: an odd number of hits.
     for (std::size_t i = 0; i < this->Hits.size();)
     {
       const auto next = std::upper_bound(this->Hits.begin() + i, this->Hits.end(), this->Hits[i]);
       const auto count = next - (this->Hits.begin() + i);
-      const bool tied = std::binary_search(this->Ties.begin(), this->Ties.end(), this->Hits[i]);
-      if (count % 2 != 0 && !tied)
+      const bool on = std::binary_search(this->Ties.begin(), this->Ties.end(), this->Hits[i]);
+      if (count % 2 != 0 && !on)
       {
-        ++inside[{ this->Queries[this->Hits[i].first].Component, this->Hits[i].second }];
+        const Query& query = this->Queries[this->Hits[i].first];
+        Votes& of = votes[{ query.Component, this->Hits[i].second }];
+        ++(query.IsCorner ? of.CornersInside : of.MiddlesInside);
       }
       i += count;
     }
-    return inside;
-  }
-
-  std::map<Pair, int> CountOnSurface() const
-  {
-    std::map<Pair, int> onSurface;
     for (const auto& tie : this->Ties)
     {
-      ++onSurface[{ this->Queries[tie.first].Component, tie.second }];
+      const Query& query = this->Queries[tie.first];
+      Votes& of = votes[{ query.Component, tie.second }];
+      ++(query.IsCorner ? of.CornersOn : of.MiddlesOn);
     }
-    return onSurface;
+    return votes;
   }
 
   const TriangleMesh& Mesh;
@@ -255,7 +283,8 @@ private:
   const std::vector<bool>& Encloses;
   std::vector<Box> Boxes;
   std::vector<Query> Queries;            ///< by increasing x
-  std::vector<int> NumberOfQueries;      ///< a component
+  std::vector<int> NumberOfCorners;      ///< asked about, a component
+  std::vector<int> NumberOfMiddles;      ///< of faces, the same
   std::vector<std::pair<int, int>> Hits; ///< query, component above its point
   std::vector<std::pair<int, int>> Ties; ///< query, component that its point lies on
 };

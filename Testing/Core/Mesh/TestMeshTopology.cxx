@@ -117,6 +117,26 @@ TEST(MeshTopology, NestingLooksPastPointsThatLieOnTheOther)
   EXPECT_EQ(CheckTopology(mesh).Nesting, (std::vector<int>{ 0, 1 }));
 }
 
+TEST(MeshTopology, CavityThatTouchesWithAllItsCorners)
+{
+  // A block without its eight corner cells, and its middle cell hollow: that has its corners in the
+  // notches.
+  TriangleMesh mesh =
+    MakeFromCells({ 3, 3, 3 }, [](int x, int y, int z) { return x == 1 || y == 1 || z == 1; });
+  TriangleMesh cavity = MakeBox({ 1, 1, 1 }, { 2, 2, 2 });
+  TurnInsideOut(cavity);
+  Append(mesh, cavity);
+  const MeshTopology topology = CheckTopology(mesh);
+  EXPECT_EQ(topology.Nesting, (std::vector<int>{ 0, 1 }));
+  EXPECT_TRUE(topology.Total.Outward);
+  ExpectVolume(mesh, 18, 1e-14);
+  // A box in one of the notches touches with its corners as well, but from outside.
+  TriangleMesh beside =
+    MakeFromCells({ 3, 3, 3 }, [](int x, int y, int z) { return x == 1 || y == 1 || z == 1; });
+  Append(beside, MakeBox({ 0, 0, 0 }, { 1, 1, 1 }));
+  EXPECT_EQ(CheckTopology(beside).Nesting, (std::vector<int>{ 0, 0 }));
+}
+
 TEST(MeshTopology, ComponentsThatCrossAreAroundNeither)
 {
   TriangleMesh mesh = MakeBox({ 0, 0, 0 }, { 2, 2, 2 });
