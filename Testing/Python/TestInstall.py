@@ -4,12 +4,13 @@ import glob
 import os
 import shutil
 import subprocess
-import sys
+import tempfile
 
 import contourtesting as ct
 
-prefix = ct.output("prefix")
-shutil.rmtree(prefix, ignore_errors=True)
+# Outside the build tree, so that a path says where a library comes from.
+place = tempfile.TemporaryDirectory()
+prefix = os.path.join(place.name, "prefix")
 run = subprocess.run(["cmake", "--install", os.environ["CONTOUR_BINARY_DIR"], "--prefix", prefix],
                      capture_output=True, text=True)
 ct.check(run.returncode == 0, f"cmake --install: {run.stderr}")
