@@ -17,10 +17,9 @@ namespace recon
  * A component: the number of other components for which encloses is true that lie around it.
  *
  * Even-odd along vertical rays from eight corners of the component (all, where it has few
- * triangles), all decisions exact. A
- * component lies around another where it does around all of these corners that are not on its
- * surface, so components that cross or stand side by side are around neither. Where all of them are
- * on its surface, most of the middles of eight faces decide.
+ * triangles), all decisions exact. A component lies around another where it does around all of these
+ * corners that are not on its surface, so components that cross or stand side by side are around
+ * neither. Where all of them are on its surface, most of the middles of eight faces decide.
  */
 std::vector<int> FindComponentNesting(const TriangleMesh& mesh,
   const std::vector<int>& componentOfTriangle, const std::vector<bool>& encloses);
