@@ -46,20 +46,37 @@ struct Query
   bool IsCorner; ///< exact; else the rounded middle of a face
 };
 
-enum class RayHit
+/// p is a point of the triangle, its border included. A triangle without area has none: its
+/// neighbours do.
+bool LiesOn(const Point3& p, const Point3& a, const Point3& b, const Point3& c)
 {
-  Miss,
-  Above,
-  OnTriangle
-};
+  if (Orientation3(a, b, c, p) != 0)
+  {
+    return false;
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const auto flat = [axis](const Point3& x) {
+      return Point2{ x[(axis + 1) % 3], x[(axis + 2) % 3] };
+    };
+    const int turn = Orientation2(flat(a), flat(b), flat(c));
+    if (turn != 0)
+    {
+      return Orientation2(flat(a), flat(b), flat(p)) * turn >= 0 &&
+        Orientation2(flat(b), flat(c), flat(p)) * turn >= 0 &&
+        Orientation2(flat(c), flat(a), flat(p)) * turn >= 0;
+    }
+  }
+  return false;
+}
 
 /**
- * Does the ray upward from p pass through the triangle?
+ * Does the ray upward from p pass through the triangle? p must not lie on it.
  *
  * Points of an edge count as left of it, whichever triangle asks, so that a ray through an edge or
  * a corner of a closed surface meets it in the right number of triangles.
  */
-RayHit CastUpward(const Point3& p, const Point3& a, const Point3& b, const Point3& c)
+bool RayPasses(const Point3& p, const Point3& a, const Point3& b, const Point3& c)
 {
   const std::array<Point2, 3> flat{ { { a[0], a[1] }, { b[0], b[1] }, { c[0], c[1] } } };
   const Point2 q{ p[0], p[1] };
@@ -78,12 +95,7 @@ RayHit CastUpward(const Point3& p, const Point3& a, const Point3& b, const Point
     }
     inside ^= Orientation2(*low, *high, q) > 0;
   }
-  if (!inside)
-  {
-    return RayHit::Miss;
-  }
-  const int side = Orientation3(a, b, c, p) * Orientation2(flat[0], flat[1], flat[2]);
-  return side == 0 ? RayHit::OnTriangle : side < 0 ? RayHit::Above : RayHit::Miss;
+  return inside && Orientation3(a, b, c, p) * Orientation2(flat[0], flat[1], flat[2]) < 0;
 }
 
 class NestingFinder
@@ -215,11 +227,14 @@ private:
       {
         continue;
       }
-      const RayHit hit = CastUpward(p, a, b, c);
       const int number = static_cast<int>(query - this->Queries.begin());
-      if (hit != RayHit::Miss)
+      if (box.Contains(p) && LiesOn(p, a, b, c))
       {
-        (hit == RayHit::Above ? this->Hits : this->Ties).emplace_back(number, component);
+        this->Ties.emplace_back(number, component);
+      }
+      else if (RayPasses(p, a, b, c))
+      {
+        this->Hits.emplace_back(number, component);
       }
     }
   }
