@@ -130,36 +130,40 @@ TEST(MeshTopology, CavityThatTouchesWithAllItsCorners)
   EXPECT_EQ(topology.Nesting, (std::vector<int>{ 0, 1 }));
   EXPECT_TRUE(topology.Total.Outward);
   ExpectVolume(mesh, 18, 1e-14);
-  // A pyramid on its tip: the tip touches the wall of the notch edge-on, where no face lies
-  // straight above it.
-  TriangleMesh tips =
-    MakeFromCells({ 3, 3, 3 }, [](int x, int y, int z) { return x == 1 || y == 1 || z == 1; });
-  for (const double x : { 1.0, 2.0 })
-  {
-    for (const double y : { 1.0, 2.0 })
-    {
-      for (const double z : { 1.0, 2.0 })
-      {
-        TriangleMesh tip;
-        const double u = x < 1.5 ? 0.25 : -0.25, v = y < 1.5 ? 0.25 : -0.25,
-                     w = z < 1.5 ? 0.25 : -0.25;
-        tip.Points = { { x, y, z }, { x + u, y + v, z }, { x, y + v, z + w }, { x + u, y, z + w } };
-        tip.Triangles = { { 0, 1, 2 }, { 0, 2, 3 }, { 0, 3, 1 }, { 1, 3, 2 } };
-        if (u * v * w > 0)
-        {
-          TurnInsideOut(tip);
-        }
-        Append(tips, tip);
-      }
-    }
-  }
-  const MeshTopology hollow = CheckTopology(tips);
-  EXPECT_EQ(hollow.Nesting, (std::vector<int>{ 0, 1, 1, 1, 1, 1, 1, 1, 1 }));
   // A box in one of the notches touches with its corners as well, but from outside.
   TriangleMesh beside =
     MakeFromCells({ 3, 3, 3 }, [](int x, int y, int z) { return x == 1 || y == 1 || z == 1; });
   Append(beside, MakeBox({ 0, 0, 0 }, { 1, 1, 1 }));
   EXPECT_EQ(CheckTopology(beside).Nesting, (std::vector<int>{ 0, 0 }));
+}
+
+TEST(MeshTopology, CavityThatTouchesAVerticalEdge)
+{
+  // In an upright cross, hollows with a tip at half the height of each inner edge: beside the tip a
+  // ray finds nothing but upright walls.
+  TriangleMesh mesh =
+    MakeFromCells({ 3, 3, 1 }, [](int x, int y, int) { return x == 1 || y == 1; });
+  std::vector<int> expected{ 0 };
+  for (const double x : { 1.0, 2.0 })
+  {
+    for (const double y : { 1.0, 2.0 })
+    {
+      const double u = x < 1.5 ? 0.25 : -0.25;
+      const double v = y < 1.5 ? 0.25 : -0.25;
+      TriangleMesh hollow;
+      hollow.Points = { { x, y, 0.5 }, { x + u, y + v, 0.5 }, { x + u, y, 0.75 },
+        { x, y + v, 0.75 } };
+      hollow.Triangles = { { 0, 1, 2 }, { 0, 2, 3 }, { 0, 3, 1 }, { 1, 3, 2 } };
+      if (u * v > 0)
+      {
+        TurnInsideOut(hollow);
+      }
+      Append(mesh, hollow);
+      expected.push_back(1);
+    }
+  }
+  EXPECT_EQ(CheckTopology(mesh).Nesting, expected);
+  EXPECT_TRUE(CheckTopology(mesh).Total.Outward);
 }
 
 TEST(MeshTopology, ComponentsThatCrossAreAroundNeither)
