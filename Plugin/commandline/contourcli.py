@@ -350,7 +350,10 @@ def _write(path, extension, result):
     writer = Writer()
     writer.SetInputDataObject(result.surface)
     writer.SetFileName(path)
-    if extension != ".vtp":
+    if extension == ".vtp":
+        # Inline: data appended behind the XML trips VTK's reader with the expat of today's Debian 12.
+        writer.SetDataModeToBinary()
+    else:
         writer.SetFileTypeToBinary()
     with _Watched(writer) as watched:
         writer.Write()

@@ -167,6 +167,7 @@ def write(data, name):
     path = ct.output("Witness-" + "".join(c if c.isalnum() else "_" for c in name) + ".vtp")
     from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
     writer = vtkXMLPolyDataWriter()
+    writer.SetDataModeToBinary()
     writer.SetFileName(path)
     bare = data.NewInstance()
     bare.SetPoints(data.GetPoints())

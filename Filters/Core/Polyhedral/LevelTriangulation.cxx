@@ -85,13 +85,14 @@ bool IsContourEdge(const Edge& edge)
   return edge.first->is_constrained(edge.second);
 }
 
-/// The circle with the edge as diameter holds p inside; on it the angle is right, which condition 2
-/// allows.
-bool Encroaches(const Kernel::Point_2& p, const Edge& edge)
+/// The circle with the edge as diameter holds p. On the circle the angle at p is right, which
+/// condition 2 allows: the middle of a square, without which its end could not be tapered.
+bool Encroaches(const Kernel::Point_2& p, const Edge& edge, bool mayLieOnCircle)
 {
   const auto& a = edge.first->vertex(Triangulation::cw(edge.second))->point();
   const auto& b = edge.first->vertex(Triangulation::ccw(edge.second))->point();
-  return CGAL::side_of_bounded_circle(a, b, p) == CGAL::ON_BOUNDED_SIDE;
+  const auto side = CGAL::side_of_bounded_circle(a, b, p);
+  return side == CGAL::ON_BOUNDED_SIDE || (side == CGAL::ON_BOUNDARY && !mayLieOnCircle);
 }
 
 /// The outer wall of every connected part of IR: the contour of even depth at its border, or the
@@ -158,8 +159,8 @@ struct LevelTriangulator::Implementation
   void LabelChain(VertexHandle from, VertexHandle to, int contour);
   void MarkStarInside(VertexHandle v);
   bool IsWithinRounding(const Kernel::Point_2& p, FaceHandle face) const;
-  bool MayInsert(
-    const Kernel::Point_2& p, FaceHandle hint, FaceHandle& where, VertexHandle& twin) const;
+  bool MayInsert(const Kernel::Point_2& p, bool mayLieOnCircle, FaceHandle hint, FaceHandle& where,
+    VertexHandle& twin) const;
 
   std::vector<VertexHandle> VertexOf; ///< by index into ContourSet::Points
 };
@@ -332,8 +333,8 @@ void LevelTriangulator::Implementation::LabelChain(VertexHandle from, VertexHand
  * `where` is the face that holds p, `twin` an internal point that p repeats within rounding, if
  * any.
  */
-bool LevelTriangulator::Implementation::MayInsert(
-  const Kernel::Point_2& p, FaceHandle hint, FaceHandle& where, VertexHandle& twin) const
+bool LevelTriangulator::Implementation::MayInsert(const Kernel::Point_2& p, bool mayLieOnCircle,
+  FaceHandle hint, FaceHandle& where, VertexHandle& twin) const
 {
   Triangulation::Locate_type type;
   int index = 0;
@@ -360,7 +361,7 @@ bool LevelTriangulator::Implementation::MayInsert(
         return false;
       }
       // A contour edge that p encroaches upon always faces p across a triangle in conflict.
-      if (f->is_constrained(k) && Encroaches(p, Edge(f, k)))
+      if (f->is_constrained(k) && Encroaches(p, Edge(f, k), mayLieOnCircle))
       {
         return false;
       }
@@ -442,12 +443,13 @@ void LevelTriangulator::AddInternalPoints(
     points.emplace_back(p[0], p[1]);
   }
   CGAL::spatial_sort(points.begin(), points.end());
+  const bool mayLieOnCircle = askedBy == LevelTriangulation::EndCap;
   FaceHandle hint;
   for (const auto& p : points)
   {
     FaceHandle where;
     VertexHandle twin;
-    const bool insert = impl.MayInsert(p, hint, where, twin);
+    const bool insert = impl.MayInsert(p, mayLieOnCircle, hint, where, twin);
     hint = where;
     if (twin != VertexHandle() && twin->info().Kind == PolyhedralSurface::Internal)
     {
