@@ -24,7 +24,7 @@ in_root() { chroot "$root" /usr/bin/env -i HOME=/root PATH=/usr/sbin:/usr/bin:/s
 
 leave()
 {
-  for place in proc dev/shm; do
+  for place in proc sys dev/shm; do
     # Never remove anything below a place that is still mounted.
     ! mountpoint -q "$root/$place" || umount "$root/$place" || return 0
   done
@@ -34,27 +34,30 @@ leave()
 trap leave EXIT
 
 declare -a steps
+status=0
 timed()
 {
-  local name="$1" start=$SECONDS
+  local name="$1" start=$SECONDS verdict=ok
   shift
   echo "== $name"
-  "$@"
-  steps+=("$(printf '%-42s %5d s' "$name" "$((SECONDS - start))")")
+  "$@" || { verdict=FAILED status=1; }
+  steps+=("$(printf '%-42s %5d s  %s' "$name" "$((SECONDS - start))" "$verdict")")
 }
 
 make_root()
 {
   debootstrap --variant=minbase bookworm "$root" "$mirror" >"$work_dir/debootstrap.log" 2>&1 ||
-    { tail "$work_dir/debootstrap.log"; return 1; }
+    { tail "$work_dir/debootstrap.log"; exit 1; }
   mount -t proc proc "$root/proc"
+  mount -t sysfs -o ro sysfs "$root/sys"
   mkdir -p "$root/dev/shm"
   mount -t tmpfs tmpfs "$root/dev/shm"
   [[ -f /etc/resolv.conf ]] && cp -L /etc/resolv.conf "$root/etc/resolv.conf"
   # The host's way to the mirror, but nothing else of its settings.
   apt-config dump | grep -i '^Acquire::.*proxy' >"$root/etc/apt/apt.conf.d/90proxy" || true
   in_root apt-get update >"$work_dir/apt.log" 2>&1
-  in_root apt-get install -y --no-install-recommends git ca-certificates >>"$work_dir/apt.log" 2>&1
+  in_root apt-get install -y --no-install-recommends git ca-certificates >>"$work_dir/apt.log" 2>&1 ||
+    { tail "$work_dir/apt.log"; exit 1; }
 }
 
 clone()
@@ -66,10 +69,12 @@ clone()
 
 timed "debootstrap, git" make_root
 timed "clone" clone
+((status == 0)) || exit 1
 timed "./run demo (with setup and build)" in_root /root/project/run demo
 timed "./run demo again" in_root /root/project/run demo
 timed "./run test" in_root /root/project/run test
 echo
 echo "Fresh Debian 12, $(nproc) processors:"
 printf '  %s\n' "${steps[@]}"
-ls -la "$root/root/project/demo-output"
+ls -la "$root/root/project/demo-output" || status=1
+exit "$status"

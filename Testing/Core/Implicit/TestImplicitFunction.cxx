@@ -132,7 +132,8 @@ TEST(ImplicitFunction, ProjectedCholeskySolvesTheThesisLU)
   EXPECT_LT(LargestDifference(a.Weights, b.Weights), 1e-8 * Largest(b.Weights));
   for (int k = 0; k < 4; ++k)
   {
-    EXPECT_NEAR(a.Polynomial[k], b.Polynomial[k], 1e-8);
+    // Less well conditioned than the weights; how much less depends on the machine's BLAS.
+    EXPECT_NEAR(a.Polynomial[k], b.Polynomial[k], 1e-7);
   }
 }
 
