@@ -178,7 +178,7 @@ private:
           this->ForAll(this->LevelCount - 1, from, middle, "joining Voronoi diagrams",
             [&](int i) { this->BuildSlab(i, changed[i] || changed[i + 1]); });
         });
-      this->Timed("lift internal points", [&] { this->LiftPoints(middle, to); });
+      this->Timed("lift internal points", [&] { this->LiftPoints(middle, to, changed); });
       if (round + 1 == Rounds || !this->AddPointsWhereNeeded(round, changed))
       {
         return;
@@ -202,27 +202,39 @@ private:
     return i >= 0 && i + 1 < this->LevelCount ? &this->Out.Slabs[i] : nullptr;
   }
 
-  void LiftPoints(double from, double to)
+  /// changed: levels whose triangulation is new in this round.
+  void LiftPoints(double from, double to, const std::vector<unsigned char>& changed)
   {
-    std::vector<std::unique_ptr<PlanarContourDistance>> distances(this->LevelCount);
+    this->Distances.resize(this->LevelCount);
     this->ForAll(this->LevelCount, from, from, "lifting internal points",
       [&](int i)
       {
         const auto& level = this->Out.Triangulations[i];
-        distances[i] = std::make_unique<PlanarContourDistance>(level);
+        if (!this->Distances[i])
+        {
+          // Added points cut contour edges but do not move them.
+          this->Distances[i] = std::make_unique<PlanarContourDistance>(level);
+        }
         this->Out.Coverages[i] = FindCoverage(level, this->SlabOrNull(i - 1), this->SlabOrNull(i));
       });
     const auto targets = [&](int level, int neighbour)
     {
       const int other = std::clamp(neighbour, 0, this->LevelCount - 1);
       return FindLiftTargets(
-        this->SideOf(level, neighbour, *distances[level], *distances[other]), this->Options);
+        this->SideOf(level, neighbour, *this->Distances[level], *this->Distances[other]),
+        this->Options);
     };
     this->ForAll(this->LevelCount - 1, from, to, "lifting internal points",
       [&](int i)
       {
-        LiftInternalPoints(this->Out.Levels[i], this->Out.Levels[i + 1], this->Out.Slabs[i],
-          targets(i, i + 1), targets(i + 1, i), this->Out.Lifted[i], this->Out.Lifted[i + 1]);
+        // What is covered on a level follows from both slabs at it, and so from their levels.
+        const auto first = changed.begin() + std::max(0, i - 1);
+        const auto last = changed.begin() + std::min(this->LevelCount, i + 3);
+        if (std::find(first, last, 1) != last)
+        {
+          LiftInternalPoints(this->Out.Levels[i], this->Out.Levels[i + 1], this->Out.Slabs[i],
+            targets(i, i + 1), targets(i + 1, i), this->Out.Lifted[i], this->Out.Lifted[i + 1]);
+        }
       });
     // Beyond the first and the last level nothing is in the way.
     this->Out.Lifted.front().Below = targets(0, -1);
@@ -382,6 +394,7 @@ private:
   double ProgressEnd;
   int LevelCount;
   std::vector<std::unique_ptr<LevelTriangulator>> Triangulators;
+  std::vector<std::unique_ptr<PlanarContourDistance>> Distances; ///< by level
   PolyhedralStages Out;
 };
 }
