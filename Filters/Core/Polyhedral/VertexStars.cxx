@@ -7,19 +7,20 @@ namespace recon
 {
 namespace
 {
-/// The next triangle around v, counterclockwise (step 1) or clockwise (step 2).
-int Rotate(const LevelTriangulation& level, int triangle, int v, int step)
+/// The triangle before this one around v, counterclockwise, or -1 on the hull.
+int PreviousAround(const LevelTriangulation& level, int triangle, int v)
 {
-  const int corner = CornerOf(level.Triangles[triangle], v);
-  return level.Neighbours[triangle][(corner + step) % 3];
+  return level.Neighbours[triangle][(CornerOf(level.Triangles[triangle], v) + 2) % 3];
 }
 }
 
-VertexStars::VertexStars(const LevelTriangulation& level) : Level(level)
+VertexStars::VertexStars(const LevelTriangulation& level)
 {
   const int count = static_cast<int>(level.Points.size());
   this->First.reserve(count + 1);
   this->Triangles.reserve(3 * level.Triangles.size());
+  this->Rim.reserve(3 * level.Triangles.size());
+  this->LastOfRim.reserve(count);
   this->Hull.assign(count, 0);
   for (int v = 0; v < count; ++v)
   {
@@ -27,26 +28,26 @@ VertexStars::VertexStars(const LevelTriangulation& level) : Level(level)
     int start = level.StarTriangle[v];
     for (int t = start; t >= 0;)
     {
-      const int previous = Rotate(level, t, v, 2);
+      const int previous = PreviousAround(level, t, v);
       this->Hull[v] = previous < 0 ? 1 : 0;
       start = t;
       t = previous == level.StarTriangle[v] ? -1 : previous;
     }
     start = this->Hull[v] ? start : level.StarTriangle[v];
     int t = start;
+    int last = -1;
     do
     {
+      const auto& triangle = level.Triangles[t];
+      const int corner = CornerOf(triangle, v);
       this->Triangles.push_back(t);
-      t = Rotate(level, t, v, 1);
+      this->Rim.push_back(triangle[(corner + 1) % 3]);
+      last = triangle[(corner + 2) % 3];
+      t = level.Neighbours[t][(corner + 1) % 3];
     } while (t >= 0 && t != start);
+    this->LastOfRim.push_back(last);
   }
   this->First.push_back(static_cast<int>(this->Triangles.size()));
-}
-
-int VertexStars::CornerAfter(int v, int i, int step) const
-{
-  const auto& triangle = this->Level.Triangles[this->Triangle(v, i)];
-  return triangle[(CornerOf(triangle, v) + step) % 3];
 }
 
 int CanonicalEdge(const LevelTriangulation& level, int triangle, int corner)

@@ -24,15 +24,17 @@ public:
   bool OnHull(int v) const { return this->Hull[v] != 0; }
 
   /// Of triangle i around v = (v, p, q): p, the neighbour before it, and q, the one after it.
-  int Before(int v, int i) const { return this->CornerAfter(v, i, 1); }
-  int After(int v, int i) const { return this->CornerAfter(v, i, 2); }
+  int Before(int v, int i) const { return this->Rim[this->First[v] + i]; }
+  int After(int v, int i) const
+  {
+    return i + 1 < this->Size(v) ? this->Before(v, i + 1) : this->LastOfRim[v];
+  }
 
 private:
-  int CornerAfter(int v, int i, int step) const;
-
-  const LevelTriangulation& Level;
   std::vector<int> First;
   std::vector<int> Triangles;
+  std::vector<int> Rim;       ///< of every triangle around a vertex the neighbour before it
+  std::vector<int> LastOfRim; ///< of every vertex the neighbour after its last triangle
   std::vector<unsigned char> Hull;
 };
 
