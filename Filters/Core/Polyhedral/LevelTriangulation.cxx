@@ -152,10 +152,10 @@ struct LevelTriangulator::Implementation
   }
 
   std::vector<VertexHandle> InsertContourVertices();
-  void InsertContourEdges(const std::vector<VertexHandle>& vertexOf);
+  void InsertContourEdges();
   void Conform();
   void ClassifyFaces();
-  void LabelContourEdges(const std::vector<VertexHandle>& vertexOf);
+  void LabelContourEdges();
   void LabelChain(VertexHandle from, VertexHandle to, int contour);
   void MarkStarInside(VertexHandle v);
   bool IsWithinRounding(const Kernel::Point_2& p, FaceHandle face) const;
@@ -192,16 +192,15 @@ std::vector<VertexHandle> LevelTriangulator::Implementation::InsertContourVertic
   return vertexOf;
 }
 
-void LevelTriangulator::Implementation::InsertContourEdges(
-  const std::vector<VertexHandle>& vertexOf)
+void LevelTriangulator::Implementation::InsertContourEdges()
 {
   for (int c : this->OfLevel.Contours)
   {
     const auto& points = this->Contours.Contours[c].Points;
     for (std::size_t i = 0; i < points.size(); ++i)
     {
-      const VertexHandle a = vertexOf[points[i]];
-      const VertexHandle b = vertexOf[points[(i + 1) % points.size()]];
+      const VertexHandle a = this->VertexOf[points[i]];
+      const VertexHandle b = this->VertexOf[points[(i + 1) % points.size()]];
       // Two points of a level with equal coordinates would leave one without a vertex.
       if (a == VertexHandle() || b == VertexHandle())
       {
@@ -256,7 +255,7 @@ void LevelTriangulator::Implementation::ClassifyFaces()
   }
 }
 
-void LevelTriangulator::Implementation::LabelContourEdges(const std::vector<VertexHandle>& vertexOf)
+void LevelTriangulator::Implementation::LabelContourEdges()
 {
   for (auto f : this->Delaunay.all_face_handles())
   {
@@ -267,7 +266,8 @@ void LevelTriangulator::Implementation::LabelContourEdges(const std::vector<Vert
     const auto& points = this->Contours.Contours[c].Points;
     for (std::size_t i = 0; i < points.size(); ++i)
     {
-      this->LabelChain(vertexOf[points[i]], vertexOf[points[(i + 1) % points.size()]], c);
+      this->LabelChain(
+        this->VertexOf[points[i]], this->VertexOf[points[(i + 1) % points.size()]], c);
     }
   }
 }
@@ -404,7 +404,7 @@ LevelTriangulator::LevelTriangulator(const ContourSet& contours, int level)
   : Impl(std::make_unique<Implementation>(contours, level))
 {
   this->Impl->VertexOf = this->Impl->InsertContourVertices();
-  this->Impl->InsertContourEdges(this->Impl->VertexOf);
+  this->Impl->InsertContourEdges();
   this->Impl->Conform();
 }
 
@@ -494,7 +494,7 @@ void LevelTriangulator::AddCoverPoints(const std::vector<Point2>& points)
 LevelTriangulation LevelTriangulator::Finish() const
 {
   auto& impl = *this->Impl;
-  impl.LabelContourEdges(impl.VertexOf);
+  impl.LabelContourEdges();
   LevelTriangulation out;
   for (auto v : impl.Delaunay.finite_vertex_handles())
   {

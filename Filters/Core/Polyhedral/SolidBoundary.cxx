@@ -111,7 +111,6 @@ private:
       sets.Join(3 * face + (j + 1) % 3, 3 * other + i);
     }
     std::vector<int> pointOf(3 * faces.size(), -1);
-    std::vector<unsigned char> seen(this->Solid.Vertices.size(), 0);
     for (std::size_t corner = 0; corner < pointOf.size(); ++corner)
     {
       const int root = sets.Find(static_cast<int>(corner));
@@ -120,8 +119,6 @@ private:
       {
         pointOf[root] = static_cast<int>(this->Boundary.Points.size());
         this->Boundary.Points.push_back({ point, -1 });
-        this->Boundary.CutVertices += seen[point];
-        seen[point] = 1;
       }
       point = pointOf[root];
     }
@@ -188,7 +185,6 @@ private:
       }
       here.push_back(h);
     }
-    this->Boundary.CutEdges = static_cast<int>(wedges.size());
     std::vector<int> halve;
     for (const auto& entry : wedges)
     {
@@ -201,7 +197,6 @@ private:
       if (std::adjacent_find(keys.begin(), keys.end()) != keys.end())
       {
         halve.insert(halve.end(), entry.second.begin(), entry.second.end());
-        ++this->Boundary.HalvedEdges;
       }
     }
     this->InsertMiddles(halve);

@@ -36,9 +36,6 @@ struct SolidBoundary
 
   std::vector<Point> Points;
   std::vector<Face> Faces;
-  int CutEdges = 0;    ///< edges at which more than two faces met
-  int CutVertices = 0; ///< points added by cutting
-  int HalvedEdges = 0; ///< edges that had to be halved, as both their ends are shared by two wedges
 };
 
 SolidBoundary ExtractSolidBoundary(const SolidComplex& solid);
