@@ -16,7 +16,7 @@ namespace
 {
 constexpr double Pi = 3.14159265358979323846;
 /// A margin that had to shrink below this part of d says nothing but noise, and is left out.
-constexpr double LeastMargin = 1e-4;
+constexpr double LeastMargin = 1e-6;
 /// What is left of d after a step that found no room.
 constexpr double ShrinkStep = 0.7;
 /// Planes whose normals differ by less (sine) count as parallel: their points are never merged.

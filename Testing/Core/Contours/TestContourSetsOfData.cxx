@@ -4,18 +4,14 @@
 // prints the sentences.
 #include "ContourInvariants.h"
 #include "Contours/ContourSetBuilder.h"
-#include "CurveNetworkParser.h"
-#include "NUAGESParser.h"
-#include "StructureSetFile.h"
+#include "Core/SetsOfData.h"
 
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
 
 using namespace recon;
 using namespace recon::testing;
-namespace fs = std::filesystem;
 
 namespace
 {
@@ -89,104 +85,45 @@ void Check(const std::string& name, const LoopSoup& soup, bool parallel)
   }
 }
 
-std::vector<fs::path> FilesIn(const fs::path& folder, const std::string& extension)
+void CheckParallel(const std::string& name, const LoopSoup& soup)
 {
-  std::vector<fs::path> files;
-  if (fs::is_directory(folder))
-  {
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder))
-    {
-      if (entry.path().extension() == extension)
-      {
-        files.push_back(entry.path());
-      }
-    }
-  }
-  std::sort(files.begin(), files.end());
-  return files;
+  Check(name, soup, true);
 }
 
-void CheckNUAGES(const fs::path& folder)
+void CheckBothWays(const std::string& name, const LoopSoup& soup)
 {
-  Monitor monitor;
-  for (const fs::path& file : FilesIn(folder, ".cnt"))
-  {
-    Check(file.filename().string(), ReadNUAGES(file.string(), monitor).Soup, true);
-  }
-}
-
-void CheckCurveNetworks(const fs::path& folder, const std::string& extension)
-{
-  Monitor monitor;
-  for (const fs::path& file : FilesIn(folder, extension))
-  {
-    for (const MaterialContours& material : ReadCurveNetwork(file.string(), monitor).Materials)
-    {
-      const std::string name = file.filename().string() + " " + std::to_string(material.Label);
-      Check(name, material.Soup, false);
-      Check(name + " (parallel only)", material.Soup, true);
-    }
-  }
-}
-
-void CheckStructureSets(const fs::path& folder)
-{
-  Monitor monitor;
-  for (const fs::path& path : FilesIn(folder, ".dcm"))
-  {
-    StructureSetFile file(path.string());
-    for (std::size_t r = 0; r < file.GetROIs().size(); ++r)
-    {
-      const StructureSetContours roi = file.ReadContours(static_cast<int>(r), monitor);
-      if (!roi.File.Soup.Chains.empty())
-      {
-        Check(path.filename().string() + " " + file.GetROIs()[r].Name, roi.File.Soup, true);
-      }
-    }
-  }
+  Check(name, soup, false);
+  Check(name + " (parallel only)", soup, true);
 }
 
 TEST(ContourSetsOfData, OwnData)
 {
-  CheckNUAGES(CONTOUR_SOURCE_DIR "/Data");
-  CheckCurveNetworks(CONTOUR_SOURCE_DIR "/Data", ".csl");
+  ForSoups(CONTOUR_SOURCE_DIR "/Data", ".cnt", CheckParallel);
+  ForSoups(CONTOUR_SOURCE_DIR "/Data", ".csl", CheckBothWays);
 }
-
-class SharedData : public ::testing::Test
-{
-protected:
-  void SetUp() override
-  {
-    if (!fs::is_directory(CONTOUR_SHARED_DATA))
-    {
-      GTEST_SKIP() << "no shared test data at " << CONTOUR_SHARED_DATA
-                   << "; set the CMake variable CONTOUR_SHARED_DATA";
-    }
-  }
-};
 
 TEST_F(SharedData, NUAGES)
 {
-  CheckNUAGES(CONTOUR_SHARED_DATA "/cnt");
+  ForSoups(CONTOUR_SHARED_DATA "/cnt", ".cnt", CheckParallel);
 }
 
 TEST_F(SharedData, CrossSections)
 {
-  CheckCurveNetworks(CONTOUR_SHARED_DATA "/csl", ".csl");
+  ForSoups(CONTOUR_SHARED_DATA "/csl", ".csl", CheckBothWays);
 }
 
 TEST_F(SharedData, CurveNetworks)
 {
-  CheckCurveNetworks(CONTOUR_SHARED_DATA "/contour", ".contour");
+  ForSoups(CONTOUR_SHARED_DATA "/contour", ".contour", CheckBothWays);
 }
 
 TEST_F(SharedData, StructureSets)
 {
-  CheckStructureSets(CONTOUR_SHARED_DATA "/rtstruct");
+  ForSoups(CONTOUR_SHARED_DATA "/rtstruct", ".dcm", CheckParallel);
 }
 
 TEST_F(SharedData, Phantoms)
 {
-  CheckStructureSets(CONTOUR_SHARED_DATA "/rtstruct/phantoms");
+  ForSoups(CONTOUR_SHARED_DATA "/rtstruct/phantoms", ".dcm", CheckParallel);
 }
 }

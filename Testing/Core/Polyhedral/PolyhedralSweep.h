@@ -9,9 +9,7 @@
 #ifndef recon_Testing_PolyhedralSweep_h
 #define recon_Testing_PolyhedralSweep_h
 
-#include "CurveNetworkParser.h"
-#include "NUAGESParser.h"
-#include "StructureSetFile.h"
+#include "Core/SetsOfData.h"
 #include "SurfaceInvariants.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +18,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <functional>
-#include <utility>
 
 namespace recon::testing
 {
@@ -32,37 +29,6 @@ inline std::string SharedPath(const std::string& name)
 inline std::string OwnPath(const std::string& name)
 {
   return std::string(CONTOUR_SOURCE_DIR) + "/Data/" + name;
-}
-
-using NamedSoup = std::pair<std::string, LoopSoup>;
-
-/// The ROIs of a structure set, the slices, or the materials of a network.
-inline std::vector<NamedSoup> ReadSoups(const std::string& path)
-{
-  Monitor monitor;
-  std::vector<NamedSoup> soups;
-  const std::string ending = std::filesystem::path(path).extension().string();
-  if (ending == ".cnt")
-  {
-    soups.emplace_back("all", ReadNUAGES(path, monitor).Soup);
-  }
-  else if (ending == ".csl")
-  {
-    for (const auto& material : ReadCSL(path, monitor).Materials)
-    {
-      soups.emplace_back("material " + std::to_string(material.Label), material.Soup);
-    }
-  }
-  else
-  {
-    StructureSetFile file(path);
-    for (std::size_t i = 0; i < file.GetROIs().size(); ++i)
-    {
-      soups.emplace_back(
-        file.GetROIs()[i].Name, file.ReadContours(static_cast<int>(i), monitor).File.Soup);
-    }
-  }
-  return soups;
 }
 
 /// A ROI may have no contours, points only, or one plane: nothing to make a surface of.
