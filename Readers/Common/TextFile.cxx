@@ -2,6 +2,7 @@
 #include "TextFile.h"
 
 #include "Monitor.h"
+#include "ReplacedFile.h"
 
 #include <charconv>
 #include <filesystem>
@@ -38,19 +39,19 @@ std::string ReadTextFile(const std::string& fileName)
 
 void WriteTextFile(const std::string& fileName, const std::string& text)
 {
-  std::ofstream file(fileName, std::ios::binary | std::ios::trunc);
+  ReplacedFile replaced(fileName);
+  std::ofstream file(replaced.GetPart(), std::ios::binary | std::ios::trunc);
   if (!file)
   {
-    throw Error("Cannot write " + fileName + ": it cannot be opened for writing.");
+    throw Error("Cannot write " + fileName + ": its folder cannot be written to.");
   }
   file.write(text.data(), static_cast<std::streamsize>(text.size()));
   file.close();
   if (!file)
   {
-    std::error_code ignored;
-    std::filesystem::remove(fileName, ignored);
     throw Error("Cannot write " + fileName + ": the disk may be full.");
   }
+  replaced.Commit();
 }
 
 void AppendNumber(std::string& text, double value)

@@ -13,7 +13,7 @@ namespace recon
 /// @throws Error where the file does not exist or cannot be read.
 std::string ReadTextFile(const std::string& fileName);
 
-/// @throws Error where the file cannot be written; no partial file is left behind.
+/// @throws Error where the file cannot be written; what was there before is then still there.
 void WriteTextFile(const std::string& fileName, const std::string& text);
 
 /// The fewest digits (17 at most) that give the same double again, whatever the locale.

@@ -1,18 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "StructureSetFile.h"
 
-#include "TextScanner.h"
+#include "DICOMItem.h"
 
-// DCMTK's own order: its configuration comes first.
-#include <dcmtk/config/osconfig.h>
-
-#include <dcmtk/dcmdata/dcdeftag.h>
-#include <dcmtk/dcmdata/dcdict.h>
-#include <dcmtk/dcmdata/dcfilefo.h>
-#include <dcmtk/dcmdata/dcsequen.h>
 #include <dcmtk/dcmdata/dcspchrs.h>
 #include <dcmtk/dcmdata/dcuid.h>
-#include <dcmtk/oflog/oflog.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -24,86 +16,6 @@ namespace recon
 {
 namespace
 {
-/// DCMTK prints what it meets to the terminal; the user gets one sentence from us instead.
-class QuietDCMTK
-{
-public:
-  QuietDCMTK() { this->Logger.setLogLevel(OFLogger::OFF_LOG_LEVEL); }
-  ~QuietDCMTK() { this->Logger.setLogLevel(this->Before); }
-  QuietDCMTK(const QuietDCMTK&) = delete;
-  QuietDCMTK& operator=(const QuietDCMTK&) = delete;
-
-private:
-  OFLogger Logger = OFLog::getLogger("dcmtk");
-  OFLogger::LogLevel Before = this->Logger.getChainedLogLevel();
-};
-
-std::string TagName(const DcmTagKey& key)
-{
-  DcmTag tag(key);
-  return std::string(tag.getTagName()) + " " + key.toString().c_str();
-}
-
-std::string_view Trimmed(std::string_view text)
-{
-  // DICOM pads with a space, some writers with a NUL.
-  const auto isPadding = [](char c) { return c == ' ' || c == '\0' || c == '\r' || c == '\n'; };
-  while (!text.empty() && isPadding(text.front()))
-  {
-    text.remove_prefix(1);
-  }
-  while (!text.empty() && isPadding(text.back()))
-  {
-    text.remove_suffix(1);
-  }
-  return text;
-}
-
-std::string GetText(DcmItem& item, const DcmTagKey& key)
-{
-  OFString value;
-  if (item.findAndGetOFStringArray(key, value).bad())
-  {
-    return {};
-  }
-  return std::string(Trimmed(std::string_view(value.c_str(), value.size())));
-}
-
-bool GetNumber(DcmItem& item, const DcmTagKey& key, int& value)
-{
-  return ParseInteger(GetText(item, key), value);
-}
-
-std::vector<DcmItem*> ItemsOf(DcmSequenceOfItems& sequence)
-{
-  std::vector<DcmItem*> items;
-  for (DcmObject* object = sequence.nextInContainer(nullptr); object;
-       object = sequence.nextInContainer(object))
-  {
-    if (auto* item = dynamic_cast<DcmItem*>(object))
-    {
-      items.push_back(item);
-    }
-  }
-  return items;
-}
-
-/// Calls visit with every value between backslashes.
-template <typename Visitor>
-void ForEachValue(std::string_view text, Visitor visit)
-{
-  for (;;)
-  {
-    const std::size_t end = text.find('\\');
-    visit(Trimmed(text.substr(0, end)));
-    if (end == std::string_view::npos)
-    {
-      return;
-    }
-    text.remove_prefix(end + 1);
-  }
-}
-
 enum class Shape
 {
   Points,
@@ -136,7 +48,7 @@ public:
   void Open()
   {
     const QuietDCMTK quiet;
-    this->Load();
+    LoadDICOM(this->FileName, this->File);
     this->CheckClass();
     this->SelectCharacterSet();
     this->ReadROIs();
@@ -156,7 +68,6 @@ private:
     throw Error("Cannot read " + this->FileName + ": " + sentence);
   }
 
-  void Load();
   void CheckClass();
   void SelectCharacterSet();
   void ReadROIs();
@@ -169,8 +80,6 @@ private:
   std::string NameOf(int index) const { return "ROI \"" + this->ROIs[index].Name + "\""; }
   /// The sequence, or nullptr where the item has none; other things under its tag are an error.
   DcmSequenceOfItems* FindSequence(DcmItem& item, const DcmTagKey& key) const;
-  std::string_view ContourData(DcmItem& item, const std::string& where) const;
-  std::vector<Point3> ParsePoints(std::string_view data, const std::string& where) const;
 
   std::string FileName;
   DcmFileFormat File;
@@ -179,29 +88,6 @@ private:
   std::map<int, int> IndexOfNumber;
   std::vector<std::vector<DcmItem*>> ContourItems; ///< for each of ROIs
 };
-
-void StructureSetFile::Internals::Load()
-{
-  std::error_code status;
-  if (!std::filesystem::is_regular_file(this->FileName, status))
-  {
-    this->Fail("there is no such file.");
-  }
-  if (std::filesystem::file_size(this->FileName, status) == 0)
-  {
-    this->Fail("the file is empty.");
-  }
-  if (!dcmDataDict.isDictionaryLoaded())
-  {
-    this->Fail("DCMTK has no data dictionary; install DCMTK's dicom.dic or set DCMDICTPATH to it.");
-  }
-  const OFCondition condition = this->File.loadFile(this->FileName.c_str());
-  if (condition.bad())
-  {
-    this->Fail("it is no DICOM file or is damaged or truncated (DCMTK says: " +
-      std::string(condition.text()) + ").");
-  }
-}
 
 void StructureSetFile::Internals::CheckClass()
 {
@@ -214,8 +100,7 @@ void StructureSetFile::Internals::CheckClass()
   {
     this->Fail("it is no DICOM file or is damaged: " + TagName(DCM_SOPClassUID) + " is missing.");
   }
-  const char* name = dcmFindNameOfUID(uid.c_str());
-  this->Fail("it is a DICOM object of class " + (name ? name : uid) +
+  this->Fail("it is a DICOM object of class " + ClassName(uid) +
     ", expected an RT structure set (RTStructureSetStorage).");
 }
 
@@ -403,66 +288,6 @@ void StructureSetFile::Internals::MakeNamesUnique()
   }
 }
 
-std::string_view StructureSetFile::Internals::ContourData(
-  DcmItem& item, const std::string& where) const
-{
-  DcmElement* element = nullptr;
-  if (item.findAndGetElement(DCM_ContourData, element).bad() || !element)
-  {
-    return {};
-  }
-  // Explicit VR has 16 bits for the length of a DS; longer ones are written as UN.
-  if (element->ident() == EVR_UN || element->ident() == EVR_OB)
-  {
-    Uint8* bytes = nullptr;
-    if (element->getUint8Array(bytes).bad())
-    {
-      this->Fail(where + ": " + TagName(DCM_ContourData) + " cannot be read to its end.");
-    }
-    return bytes ? std::string_view(reinterpret_cast<const char*>(bytes), element->getLength())
-                 : std::string_view();
-  }
-  char* text = nullptr;
-  Uint32 length = 0;
-  if (element->getString(text, length).bad())
-  {
-    this->Fail(where + ": " + TagName(DCM_ContourData) + " cannot be read to its end.");
-  }
-  return text ? std::string_view(text, length) : std::string_view();
-}
-
-std::vector<Point3> StructureSetFile::Internals::ParsePoints(
-  std::string_view data, const std::string& where) const
-{
-  std::vector<Point3> points;
-  Point3 point{};
-  int values = 0;
-  ForEachValue(data,
-    [&](std::string_view text)
-    {
-      double value = 0;
-      if (!ParseNumber(text, value))
-      {
-        this->Fail(where + ": expected a number as value " +
-          std::to_string(3 * points.size() + static_cast<std::size_t>(values) + 1) + " of " +
-          TagName(DCM_ContourData) + ", found '" + std::string(text.substr(0, 24)) + "'.");
-      }
-      point[values++] = value;
-      if (values == 3)
-      {
-        points.push_back(point);
-        values = 0;
-      }
-    });
-  if (values != 0)
-  {
-    this->Fail(where + ": expected three coordinates a point in " + TagName(DCM_ContourData) +
-      ", found " + std::to_string(3 * points.size() + static_cast<std::size_t>(values)) +
-      " numbers.");
-  }
-  return points;
-}
-
 StructureSetContours StructureSetFile::Internals::ReadContours(int index, Monitor& monitor)
 {
   const QuietDCMTK quiet;
@@ -473,13 +298,13 @@ StructureSetContours StructureSetFile::Internals::ReadContours(int index, Monito
   {
     monitor.Update(static_cast<double>(i) / static_cast<double>(items.size()), "reading contours");
     const std::string where = this->NameOf(index) + ", contour " + std::to_string(i + 1);
-    const std::string_view data = Trimmed(this->ContourData(*items[i], where));
-    if (data.empty())
+    const std::vector<Point3> points =
+      GetContourPoints(*items[i], "Cannot read " + this->FileName + ": " + where);
+    if (points.empty())
     {
       result.File.Report.push_back(where + ": left out, it has no contour data.");
       continue;
     }
-    const std::vector<Point3> points = this->ParsePoints(data, where);
     int announced = 0;
     if (GetNumber(*items[i], DCM_NumberOfContourPoints, announced) &&
       announced != static_cast<int>(points.size()))

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkNUAGESWriter.h"
 
+#include "ClosedLoops.h"
 #include "ContourConversion.h"
-#include "Contours/ContourChaining.h"
 #include "NUAGESFormatter.h"
 #include "vtkContourMonitor.h"
 
@@ -17,7 +17,6 @@
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
-#include <set>
 #include <utility>
 
 vtkStandardNewMacro(vtkNUAGESWriter);
@@ -94,86 +93,6 @@ void OrientByDepth(vtkPolyData* input, recon::LoopSoup& soup)
     }
   }
 }
-
-/// Edges by the coordinates of their ends: chaining joins ends that differ in index only.
-class EdgeSet
-{
-public:
-  explicit EdgeSet(const recon::LoopSoup& soup) : Soup(soup) {}
-  void Add(int a, int b) { this->Edges.insert(this->Key(a, b)); }
-  bool Has(int a, int b) const { return this->Edges.count(this->Key(a, b)) > 0; }
-  bool IsPoint(int a, int b) const { return this->At(a) == this->At(b); }
-
-private:
-  using Edge = std::pair<recon::Point3, recon::Point3>;
-  const recon::Point3& At(int point) const
-  {
-    return this->Soup.Points[static_cast<std::size_t>(point)];
-  }
-  Edge Key(int a, int b) const { return std::minmax(this->At(a), this->At(b)); }
-
-  const recon::LoopSoup& Soup;
-  std::set<Edge> Edges;
-};
-
-/// @throws Error naming the first piece that is in no ring.
-void CheckAllClosed(const recon::LoopSoup& pieces, const std::vector<recon::Ring>& rings)
-{
-  EdgeSet closed(pieces);
-  for (const recon::Ring& ring : rings)
-  {
-    for (std::size_t i = 0; i < ring.Points.size(); ++i)
-    {
-      closed.Add(ring.Points[i], ring.Points[(i + 1) % ring.Points.size()]);
-    }
-  }
-  for (const recon::LoopSoup::Chain& piece : pieces.Chains)
-  {
-    for (std::size_t i = 0; i + 1 < piece.Points.size(); ++i)
-    {
-      const int a = piece.Points[i];
-      const int b = piece.Points[i + 1];
-      if (!closed.IsPoint(a, b) && !closed.Has(a, b))
-      {
-        throw recon::Error("Cannot write the contours: the line of cell " +
-          std::to_string(piece.Source) +
-          " does not close, and NUAGES files hold closed contours only.");
-      }
-    }
-  }
-}
-
-/// Closed loops as they are, loose pieces chained; single vertices are counted only.
-recon::LoopSoup CloseLoops(recon::LoopSoup soup, int& looseVertices, recon::Monitor& monitor)
-{
-  recon::LoopSoup closed;
-  recon::LoopSoup pieces;
-  for (recon::LoopSoup::Chain& chain : soup.Chains)
-  {
-    if (chain.Closed)
-    {
-      closed.Chains.push_back(std::move(chain));
-    }
-    else if (chain.Points.size() < 2)
-    {
-      ++looseVertices;
-    }
-    else
-    {
-      pieces.Chains.push_back(std::move(chain));
-    }
-  }
-  pieces.Points = std::move(soup.Points);
-  recon::ContourNotes notes(pieces); // what they say is an error here, see CheckAllClosed
-  std::vector<recon::Ring> rings = recon::ChainRings(pieces, 0, notes, monitor);
-  CheckAllClosed(pieces, rings);
-  for (recon::Ring& ring : rings)
-  {
-    closed.Chains.push_back({ std::move(ring.Points), true, ring.Source });
-  }
-  closed.Points = std::move(pieces.Points);
-  return closed;
-}
 }
 
 vtkNUAGESWriter::vtkNUAGESWriter() = default;
@@ -211,7 +130,8 @@ void vtkNUAGESWriter::WriteData()
     recon::ConvertedLoops converted = recon::ToLoopSoup(input);
     std::vector<std::string> report = std::move(converted.Report);
     int looseVertices = 0;
-    recon::LoopSoup closed = CloseLoops(std::move(converted.Soup), looseVertices, monitor);
+    recon::LoopSoup closed =
+      recon::CloseLoops(std::move(converted.Soup), "NUAGES files hold", looseVertices, monitor);
     if (closed.Chains.empty())
     {
       throw recon::Error("There are no closed contours to write.");

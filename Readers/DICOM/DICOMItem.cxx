@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "DICOMItem.h"
+
+#include "Monitor.h"
+
+#include <dcmtk/dcmdata/dcdict.h>
+#include <dcmtk/dcmdata/dcuid.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <random>
+
+namespace recon
+{
+namespace
+{
+/// The text of an item's contour data, trimmed; empty where there is none.
+std::string_view ContourText(DcmItem& contour, const std::string& where)
+{
+  const auto fail = [&where]
+  { throw Error(where + ": " + TagName(DCM_ContourData) + " cannot be read to its end."); };
+  DcmElement* element = nullptr;
+  if (contour.findAndGetElement(DCM_ContourData, element).bad() || !element)
+  {
+    return {};
+  }
+  // Explicit VR has 16 bits for the length of a DS; longer ones are written as UN.
+  if (element->ident() == EVR_UN || element->ident() == EVR_OB)
+  {
+    Uint8* bytes = nullptr;
+    if (element->getUint8Array(bytes).bad())
+    {
+      fail();
+    }
+    return bytes
+      ? Trimmed(std::string_view(reinterpret_cast<const char*>(bytes), element->getLength()))
+      : std::string_view();
+  }
+  char* text = nullptr;
+  Uint32 length = 0;
+  if (element->getString(text, length).bad())
+  {
+    fail();
+  }
+  return text ? Trimmed(std::string_view(text, length)) : std::string_view();
+}
+}
+
+std::string TagName(const DcmTagKey& key)
+{
+  DcmTag tag(key);
+  return std::string(tag.getTagName()) + " " + key.toString().c_str();
+}
+
+std::string_view Trimmed(std::string_view text)
+{
+  // DICOM pads with a space, some writers with a NUL.
+  const auto isPadding = [](char c) { return c == ' ' || c == '\0' || c == '\r' || c == '\n'; };
+  while (!text.empty() && isPadding(text.front()))
+  {
+    text.remove_prefix(1);
+  }
+  while (!text.empty() && isPadding(text.back()))
+  {
+    text.remove_suffix(1);
+  }
+  return text;
+}
+
+std::string GetText(DcmItem& item, const DcmTagKey& key)
+{
+  OFString value;
+  if (item.findAndGetOFStringArray(key, value).bad())
+  {
+    return {};
+  }
+  return std::string(Trimmed(std::string_view(value.c_str(), value.size())));
+}
+
+bool GetNumber(DcmItem& item, const DcmTagKey& key, int& value)
+{
+  return ParseInteger(GetText(item, key), value);
+}
+
+bool GetNumber(DcmItem& item, const DcmTagKey& key, unsigned long index, double& value)
+{
+  OFString text;
+  return item.findAndGetOFString(key, text, index).good() &&
+    ParseNumber(Trimmed(std::string_view(text.c_str(), text.size())), value);
+}
+
+std::vector<DcmItem*> ItemsOf(DcmSequenceOfItems& sequence)
+{
+  std::vector<DcmItem*> items;
+  for (DcmObject* object = sequence.nextInContainer(nullptr); object;
+       object = sequence.nextInContainer(object))
+  {
+    if (auto* item = dynamic_cast<DcmItem*>(object))
+    {
+      items.push_back(item);
+    }
+  }
+  return items;
+}
+
+std::vector<DcmItem*> ItemsOf(DcmItem& item, const DcmTagKey& key)
+{
+  DcmElement* element = nullptr;
+  if (item.findAndGetElement(key, element).bad())
+  {
+    return {};
+  }
+  auto* sequence = dynamic_cast<DcmSequenceOfItems*>(element);
+  return sequence ? ItemsOf(*sequence) : std::vector<DcmItem*>();
+}
+
+void LoadDICOM(const std::string& fileName, DcmFileFormat& file)
+{
+  const auto fail = [&fileName](const std::string& sentence)
+  { throw Error("Cannot read " + fileName + ": " + sentence); };
+  std::error_code status;
+  if (!std::filesystem::is_regular_file(fileName, status))
+  {
+    fail("there is no such file.");
+  }
+  if (std::filesystem::file_size(fileName, status) == 0)
+  {
+    fail("the file is empty.");
+  }
+  if (!dcmDataDict.isDictionaryLoaded())
+  {
+    fail("DCMTK has no data dictionary; install DCMTK's dicom.dic or set DCMDICTPATH to it.");
+  }
+  const OFCondition condition = file.loadFile(fileName.c_str());
+  if (condition.bad())
+  {
+    fail("it is no DICOM file or is damaged or truncated (DCMTK says: " +
+      std::string(condition.text()) + ").");
+  }
+}
+
+std::string ClassName(const std::string& uid)
+{
+  const char* name = dcmFindNameOfUID(uid.c_str());
+  return name ? name : uid;
+}
+
+std::vector<Point3> GetContourPoints(DcmItem& contour, const std::string& where)
+{
+  const std::string_view data = ContourText(contour, where);
+  if (data.empty())
+  {
+    return {};
+  }
+  std::vector<Point3> points;
+  Point3 point{};
+  int values = 0;
+  ForEachValue(data,
+    [&](std::string_view text)
+    {
+      double value = 0;
+      if (!ParseNumber(text, value))
+      {
+        throw Error(where + ": expected a number as value " +
+          std::to_string(3 * points.size() + static_cast<std::size_t>(values) + 1) + " of " +
+          TagName(DCM_ContourData) + ", found '" + std::string(text.substr(0, 24)) + "'.");
+      }
+      point[values++] = value;
+      if (values == 3)
+      {
+        points.push_back(point);
+        values = 0;
+      }
+    });
+  if (values != 0)
+  {
+    throw Error(where + ": expected three coordinates a point in " + TagName(DCM_ContourData) +
+      ", found " + std::to_string(3 * points.size() + static_cast<std::size_t>(values)) +
+      " numbers.");
+  }
+  return points;
+}
+
+void Put(DcmItem& item, const DcmTagKey& key, const std::string& value)
+{
+  const OFCondition condition = item.putAndInsertString(key, value.c_str());
+  if (condition.bad())
+  {
+    throw Error("Cannot set " + TagName(key) + " (DCMTK says: " + condition.text() + ").");
+  }
+}
+
+void CopyElement(DcmItem& from, const DcmTagKey& key, DcmItem& to)
+{
+  DcmElement* copy = nullptr;
+  if (from.findAndGetElement(key, copy, OFFalse, OFTrue).bad() || !copy)
+  {
+    return;
+  }
+  const OFCondition condition = to.insert(copy, OFTrue);
+  if (condition.bad())
+  {
+    delete copy;
+    throw Error("Cannot copy " + TagName(key) + " (DCMTK says: " + condition.text() + ").");
+  }
+}
+
+DcmItem& AppendItem(DcmItem& parent, const DcmTagKey& sequence)
+{
+  constexpr signed long append = -2;
+  DcmItem* item = nullptr;
+  const OFCondition condition = parent.findOrCreateSequenceItem(sequence, item, append);
+  if (condition.bad())
+  {
+    throw Error("Cannot add to " + TagName(sequence) + " (DCMTK says: " + condition.text() + ").");
+  }
+  return *item;
+}
+
+std::string NewUID()
+{
+  // 128 random bits, of which a version 4 UUID fixes six.
+  std::random_device random;
+  std::array<std::uint32_t, 4> words{ random(), random(), random(), random() };
+  words[1] = (words[1] & 0xffff0fffU) | 0x00004000U;
+  words[2] = (words[2] & 0x3fffffffU) | 0x80000000U;
+  std::string digits;
+  while (std::any_of(words.begin(), words.end(), [](std::uint32_t word) { return word != 0; }))
+  {
+    std::uint64_t remainder = 0;
+    for (std::uint32_t& word : words)
+    {
+      const std::uint64_t dividend = (remainder << 32) | word;
+      word = static_cast<std::uint32_t>(dividend / 10);
+      remainder = dividend % 10;
+    }
+    digits.insert(digits.begin(), static_cast<char>('0' + remainder));
+  }
+  return "2.25." + digits;
+}
+}

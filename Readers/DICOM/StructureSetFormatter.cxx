@@ -1,0 +1,516 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "StructureSetFormatter.h"
+
+#include "DecimalString.h"
+#include "DICOMItem.h"
+#include "DICOMText.h"
+#include "Implicit/SubMonitor.h"
+#include "ReplacedFile.h"
+#include "StructureSetReference.h"
+
+#include <dcmtk/dcmdata/dcmetinf.h>
+#include <dcmtk/dcmdata/dcuid.h>
+#include <dcmtk/dcmdata/dcvrda.h>
+#include <dcmtk/dcmdata/dcvrtm.h>
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <optional>
+#include <set>
+#include <utility>
+
+namespace recon
+{
+namespace
+{
+/// Above what planning systems round the coordinates of tilted contours to, below any slice, mm.
+constexpr double PlanarTolerance = 0.05;
+constexpr std::size_t LongestName = 64;
+constexpr std::size_t LongestLabel = 16;
+
+bool IsClosed(const WrittenContour& contour)
+{
+  return contour.GeometricType == "CLOSED_PLANAR" || contour.GeometricType == "CLOSEDPLANAR_XOR";
+}
+
+/// The largest distance from the plane that fits best (least squares); 0 for what lies in a line.
+double RoughnessOf(const std::vector<Point3>& points)
+{
+  Eigen::MatrixX3d centred(static_cast<Eigen::Index>(points.size()), 3);
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    centred.row(static_cast<Eigen::Index>(i)) << points[i][0], points[i][1], points[i][2];
+  }
+  centred.rowwise() -= centred.colwise().mean().eval();
+  const Eigen::Matrix3d moments = centred.transpose() * centred / double(points.size());
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(moments);
+  return (centred * axes.eigenvectors().col(0)).cwiseAbs().maxCoeff();
+}
+
+class Checker
+{
+public:
+  explicit Checker(std::vector<std::string>& report) : Report(report) {}
+
+  /// Leaves out what is nothing, and makes the types of an ROI agree. @throws Error
+  void Check(WrittenROI& roi, bool exclusiveOr);
+
+private:
+  /// Whether it can be written; noted where it is too little. @throws Error where it is wrong.
+  bool IsContour(const WrittenContour& contour, const std::string& roi);
+
+  std::vector<std::string>& Report;
+};
+
+bool Checker::IsContour(const WrittenContour& contour, const std::string& roi)
+{
+  const std::string where = "ROI \"" + roi + "\", " + contour.Where;
+  for (const Point3& p : contour.Points)
+  {
+    for (const double x : p)
+    {
+      if (!std::isfinite(x))
+      {
+        throw Error("Cannot write " + where + ": a coordinate is not a number.");
+      }
+      if (std::abs(x) > LargestCoordinate)
+      {
+        throw Error("Cannot write " + where +
+          ": a coordinate is beyond 100 km; DICOM's are millimetres of a patient.");
+      }
+    }
+  }
+  const std::size_t least = contour.GeometricType == "POINT" ? 1 : IsClosed(contour) ? 3 : 2;
+  if (contour.Points.size() < least)
+  {
+    this->Report.push_back(where + ": left out, " + std::to_string(contour.Points.size()) +
+      " points are no contour of type " + contour.GeometricType + ".");
+    return false;
+  }
+  if (contour.GeometricType == "OPEN_NONPLANAR")
+  {
+    return true;
+  }
+  const double roughness = RoughnessOf(contour.Points);
+  if (roughness > PlanarTolerance)
+  {
+    throw Error("Cannot write " + where + ": it is not planar, a point lies " +
+      std::to_string(roughness) +
+      " mm off its plane, and DICOM has closed contours in planes only.");
+  }
+  return true;
+}
+
+void Checker::Check(WrittenROI& roi, bool exclusiveOr)
+{
+  std::vector<WrittenContour> kept;
+  for (WrittenContour& contour : roi.Contours)
+  {
+    if (this->IsContour(contour, roi.Description.Name))
+    {
+      kept.push_back(std::move(contour));
+    }
+  }
+  roi.Contours = std::move(kept);
+  // One contour of this kind makes all of its ROI so (PS3.3 C.8.8.6.3).
+  exclusiveOr = exclusiveOr ||
+    std::any_of(roi.Contours.begin(), roi.Contours.end(),
+      [](const WrittenContour& contour) { return contour.GeometricType == "CLOSEDPLANAR_XOR"; });
+  for (WrittenContour& contour : roi.Contours)
+  {
+    if (exclusiveOr && IsClosed(contour))
+    {
+      contour.GeometricType = "CLOSEDPLANAR_XOR";
+    }
+  }
+  if (roi.Contours.empty())
+  {
+    this->Report.push_back("ROI \"" + roi.Description.Name + "\": left out, it has no contours.");
+  }
+}
+
+/// The numbers and names that a file has, which the new ones must not repeat.
+class ROIRegister
+{
+public:
+  void Take(int number, const std::string& name)
+  {
+    this->Numbers.insert(number);
+    this->Names.insert(Folded(name));
+  }
+
+  /// wanted where that is free and not 0, otherwise the next after all.
+  int NewNumber(int wanted)
+  {
+    if (wanted <= 0 || this->Numbers.count(wanted) > 0)
+    {
+      wanted = this->Numbers.empty() ? 1 : std::max(0, *this->Numbers.rbegin()) + 1;
+    }
+    this->Numbers.insert(wanted);
+    return wanted;
+  }
+
+  std::string NewName(const std::string& wanted)
+  {
+    std::string name = wanted;
+    for (int n = 2; !this->Names.insert(Folded(name)).second; ++n)
+    {
+      const std::string suffix = " (" + std::to_string(n) + ")";
+      name = DICOMText(wanted, LongestName - suffix.size()) + suffix;
+    }
+    return name;
+  }
+
+private:
+  /// Some planning systems do not tell upper from lower case.
+  static std::string Folded(std::string name)
+  {
+    for (char& c : name)
+    {
+      c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    }
+    return name;
+  }
+
+  std::set<int> Numbers;
+  std::set<std::string> Names;
+};
+
+std::array<int, 3> ColorOf(const StructureSetROI& roi)
+{
+  static constexpr std::array<std::array<int, 3>, 8> palette{ { { 230, 60, 50 }, { 60, 180, 75 },
+    { 70, 110, 230 }, { 245, 190, 40 }, { 170, 70, 200 }, { 60, 200, 220 }, { 240, 130, 50 },
+    { 240, 110, 190 } } };
+  return roi.HasColor ? roi.Color : palette[static_cast<std::size_t>(roi.Number) % palette.size()];
+}
+
+class Formatter
+{
+public:
+  Formatter(const StructureSetOptions& options, StructureSetReference& reference,
+    std::vector<std::string>& report)
+    : Options(options),
+      Reference(reference),
+      Report(report)
+  {
+  }
+
+  void Format(std::vector<WrittenROI>& rois, Monitor& monitor);
+  void Save(const std::string& fileName);
+
+private:
+  DcmItem& Data() { return *this->File.getDataset(); }
+  void NameROIs(std::vector<WrittenROI>& rois);
+  void SelectCharacterSet(const std::vector<WrittenROI>& rois);
+  void AddPatientAndStudy();
+  void AddSeries();
+  void CopyROIs();
+  void AddROI(const WrittenROI& roi);
+  void AddContour(const WrittenContour& contour, int number, DcmItem& item);
+
+  const StructureSetOptions& Options;
+  StructureSetReference& Reference;
+  std::vector<std::string>& Report;
+  DcmFileFormat File;
+  ROIRegister Register;
+  int LastObservation = 0;
+  std::size_t ContoursOnNoSlice = 0;
+};
+
+void Formatter::NameROIs(std::vector<WrittenROI>& rois)
+{
+  std::string renamed;
+  for (WrittenROI& roi : rois)
+  {
+    StructureSetROI& description = roi.Description;
+    const std::string given = description.Name;
+    description.Number = this->Register.NewNumber(description.Number);
+    const std::string allowed = DICOMText(given, LongestName);
+    description.Name = this->Register.NewName(
+      allowed.empty() ? "ROI " + std::to_string(description.Number) : allowed);
+    if (description.Name != given)
+    {
+      renamed += (renamed.empty() ? "\"" : ", \"") + given + "\" is written as \"" +
+        description.Name + "\" (number " + std::to_string(description.Number) + ")";
+    }
+  }
+  if (!renamed.empty())
+  {
+    this->Report.push_back("Names of ROIs that are taken already, or that DICOM does not allow (64 "
+                           "characters, no backslash): " +
+      renamed + ".");
+  }
+}
+
+void Formatter::SelectCharacterSet(const std::vector<WrittenROI>& rois)
+{
+  DcmItem& reference = this->Reference.Data();
+  const bool isPlain = IsASCII(this->Options.Label) &&
+    std::all_of(rois.begin(), rois.end(),
+      [](const WrittenROI& roi) { return IsASCII(roi.Description.Name); });
+  if (isPlain)
+  {
+    // Every character set has these letters, so that of the reference stays.
+    CopyElement(reference, DCM_SpecificCharacterSet, this->Data());
+    return;
+  }
+  const OFCondition condition = reference.convertToUTF8();
+  if (condition.bad())
+  {
+    throw Error("Cannot write the names of the ROIs in UTF-8, because the texts of the reference "
+                "cannot be converted to it (DCMTK says: " +
+      std::string(condition.text()) + "); use plain letters.");
+  }
+  Put(this->Data(), DCM_SpecificCharacterSet, "ISO_IR 192");
+}
+
+void Formatter::AddPatientAndStudy()
+{
+  // Type 2: there, if only empty.
+  for (const DcmTagKey& key : { DCM_PatientName, DCM_PatientID, DCM_PatientBirthDate,
+         DCM_PatientSex, DCM_StudyDate, DCM_StudyTime, DCM_ReferringPhysicianName, DCM_StudyID,
+         DCM_AccessionNumber, DCM_PositionReferenceIndicator, DCM_OperatorsName })
+  {
+    Put(this->Data(), key, "");
+  }
+  for (const DcmTagKey& key : { DCM_PatientName, DCM_PatientID, DCM_IssuerOfPatientID,
+         DCM_IssuerOfPatientIDQualifiersSequence, DCM_PatientBirthDate, DCM_PatientBirthTime,
+         DCM_PatientSex, DCM_OtherPatientIDsSequence, DCM_EthnicGroup, DCM_PatientComments,
+         DCM_PatientSpeciesDescription, DCM_PatientSpeciesCodeSequence, DCM_PatientSexNeutered,
+         DCM_PatientBreedDescription, DCM_PatientBreedCodeSequence, DCM_BreedRegistrationSequence,
+         DCM_ResponsiblePerson, DCM_ResponsiblePersonRole, DCM_ResponsibleOrganization,
+         DCM_PatientIdentityRemoved, DCM_DeidentificationMethod,
+         DCM_DeidentificationMethodCodeSequence, DCM_StudyInstanceUID, DCM_StudyDate, DCM_StudyTime,
+         DCM_StudyID, DCM_StudyDescription, DCM_ReferringPhysicianName, DCM_AccessionNumber,
+         DCM_PatientAge, DCM_PatientSize, DCM_PatientWeight, DCM_PositionReferenceIndicator })
+  {
+    CopyElement(this->Reference.Data(), key, this->Data());
+  }
+  if (GetText(this->Data(), DCM_StudyInstanceUID).empty())
+  {
+    Put(this->Data(), DCM_StudyInstanceUID, NewUID());
+  }
+}
+
+void Formatter::AddSeries()
+{
+  OFString date;
+  OFString time;
+  DcmDate::getCurrentDate(date);
+  DcmTime::getCurrentTime(time);
+  for (const DcmTagKey& key : { DCM_InstanceCreationDate, DCM_SeriesDate, DCM_StructureSetDate })
+  {
+    Put(this->Data(), key, date.c_str());
+  }
+  for (const DcmTagKey& key : { DCM_InstanceCreationTime, DCM_SeriesTime, DCM_StructureSetTime })
+  {
+    Put(this->Data(), key, time.c_str());
+  }
+  Put(this->Data(), DCM_SOPClassUID, UID_RTStructureSetStorage);
+  Put(this->Data(), DCM_SOPInstanceUID, NewUID());
+  Put(this->Data(), DCM_SeriesInstanceUID, NewUID());
+  Put(this->Data(), DCM_Modality, "RTSTRUCT");
+  Put(this->Data(), DCM_SeriesNumber, "1");
+  Put(this->Data(), DCM_InstanceNumber, "1");
+  Put(this->Data(), DCM_Manufacturer, "Contour Reconstruction for ParaView");
+  Put(this->Data(), DCM_ManufacturerModelName, "RT Structure Set Writer");
+  Put(this->Data(), DCM_SoftwareVersions, CONTOUR_VERSION);
+  Put(this->Data(), DCM_FrameOfReferenceUID, this->Reference.GetFrameOfReferenceUID());
+  const std::string label = DICOMText(this->Options.Label, LongestLabel);
+  Put(this->Data(), DCM_StructureSetLabel, label.empty() ? "Reconstruction" : label);
+  Put(this->Data(), DCM_ApprovalStatus, "UNAPPROVED");
+  if (this->Reference.IsStructureSet())
+  {
+    DcmItem& before = AppendItem(this->Data(), DCM_PredecessorStructureSetSequence);
+    Put(before, DCM_ReferencedSOPClassUID, UID_RTStructureSetStorage);
+    Put(before, DCM_ReferencedSOPInstanceUID, GetText(this->Reference.Data(), DCM_SOPInstanceUID));
+  }
+}
+
+void Formatter::CopyROIs()
+{
+  DcmItem& reference = this->Reference.Data();
+  // The last three say what the codes of the ROIs mean.
+  for (const DcmTagKey& key : { DCM_StructureSetROISequence, DCM_ROIContourSequence,
+         DCM_RTROIObservationsSequence, DCM_CodingSchemeIdentificationSequence,
+         DCM_ContextGroupIdentificationSequence, DCM_MappingResourceIdentificationSequence })
+  {
+    CopyElement(reference, key, this->Data());
+  }
+  for (DcmItem* roi : ItemsOf(reference, DCM_StructureSetROISequence))
+  {
+    int number = 0;
+    GetNumber(*roi, DCM_ROINumber, number);
+    this->Register.Take(number, GetText(*roi, DCM_ROIName));
+  }
+  for (DcmItem* observation : ItemsOf(reference, DCM_RTROIObservationsSequence))
+  {
+    int number = 0;
+    GetNumber(*observation, DCM_ObservationNumber, number);
+    this->LastObservation = std::max(this->LastObservation, number);
+  }
+}
+
+void Formatter::AddContour(const WrittenContour& contour, int number, DcmItem& item)
+{
+  if (const ReferenceSlice* slice = this->Reference.GetSlices().Find(contour.Points))
+  {
+    DcmItem& image = AppendItem(item, DCM_ContourImageSequence);
+    Put(image, DCM_ReferencedSOPClassUID, slice->ClassUID);
+    Put(image, DCM_ReferencedSOPInstanceUID, slice->InstanceUID);
+  }
+  else
+  {
+    ++this->ContoursOnNoSlice;
+  }
+  Put(item, DCM_ContourGeometricType, contour.GeometricType);
+  Put(item, DCM_NumberOfContourPoints, std::to_string(contour.Points.size()));
+  Put(item, DCM_ContourNumber, std::to_string(number));
+  std::string data;
+  for (const Point3& p : contour.Points)
+  {
+    for (const double x : p)
+    {
+      if (!data.empty())
+      {
+        data += '\\';
+      }
+      AppendDecimalString(data, x);
+    }
+  }
+  Put(item, DCM_ContourData, data);
+}
+
+void Formatter::AddROI(const WrittenROI& roi)
+{
+  const StructureSetROI& description = roi.Description;
+  const std::string number = std::to_string(description.Number);
+  DcmItem& listed = AppendItem(this->Data(), DCM_StructureSetROISequence);
+  Put(listed, DCM_ROINumber, number);
+  Put(listed, DCM_ReferencedFrameOfReferenceUID, this->Reference.GetFrameOfReferenceUID());
+  Put(listed, DCM_ROIName, description.Name);
+  Put(listed, DCM_ROIGenerationAlgorithm, this->Options.GenerationAlgorithm);
+
+  DcmItem& contours = AppendItem(this->Data(), DCM_ROIContourSequence);
+  const std::array<int, 3> color = ColorOf(description);
+  Put(contours, DCM_ROIDisplayColor,
+    std::to_string(color[0]) + "\\" + std::to_string(color[1]) + "\\" + std::to_string(color[2]));
+  for (std::size_t c = 0; c < roi.Contours.size(); ++c)
+  {
+    this->AddContour(
+      roi.Contours[c], static_cast<int>(c) + 1, AppendItem(contours, DCM_ContourSequence));
+  }
+  Put(contours, DCM_ReferencedROINumber, number);
+
+  DcmItem& observation = AppendItem(this->Data(), DCM_RTROIObservationsSequence);
+  Put(observation, DCM_ObservationNumber, std::to_string(++this->LastObservation));
+  Put(observation, DCM_ReferencedROINumber, number);
+  Put(observation, DCM_RTROIInterpretedType, CodeString(description.Type));
+  Put(observation, DCM_ROIInterpreter, "");
+}
+
+void Formatter::Format(std::vector<WrittenROI>& rois, Monitor& monitor)
+{
+  // Texts are converted before any is copied.
+  this->SelectCharacterSet(rois);
+  this->AddPatientAndStudy();
+  this->AddSeries();
+  this->Reference.AddImagesTo(this->Data());
+  if (this->Reference.IsStructureSet() && this->Options.CopyReferenceROIs)
+  {
+    this->CopyROIs();
+  }
+  this->NameROIs(rois);
+  std::size_t contours = 0;
+  for (std::size_t r = 0; r < rois.size(); ++r)
+  {
+    monitor.Update(static_cast<double>(r) / static_cast<double>(rois.size()), "writing contours");
+    this->AddROI(rois[r]);
+    contours += rois[r].Contours.size();
+  }
+  if (this->ContoursOnNoSlice > 0 && !this->Reference.IsNone())
+  {
+    this->Report.push_back(std::to_string(this->ContoursOnNoSlice) + " of " +
+      std::to_string(contours) + " contours lie on none of the " +
+      std::to_string(this->Reference.GetSlices().Size()) +
+      " images whose planes the reference tells, and refer to none.");
+  }
+}
+
+void Formatter::Save(const std::string& fileName)
+{
+  const auto fail = [&fileName](const std::string& why)
+  {
+    throw Error("Cannot write " + fileName +
+      ": its folder cannot be written to, or the disk is full" + why + ".");
+  };
+  ReplacedFile replaced(fileName);
+  const OFCondition condition = this->File.saveFile(
+    replaced.GetPart().c_str(), EXS_LittleEndianImplicit, EET_ExplicitLength, EGL_withoutGL);
+  if (condition.bad())
+  {
+    fail(" (DCMTK says: " + std::string(condition.text()) + ")");
+  }
+  // DCMTK does not notice that the last of its buffers did not reach the disk.
+  const Uint32 whole =
+    this->File.getMetaInfo()->calcElementLength(EXS_LittleEndianExplicit, EET_ExplicitLength) +
+    this->File.getDataset()->calcElementLength(EXS_LittleEndianImplicit, EET_ExplicitLength);
+  std::error_code status;
+  const auto written = std::filesystem::file_size(replaced.GetPart(), status);
+  if (status || written != whole)
+  {
+    fail(" (" + std::to_string(status ? 0 : written) + " of " + std::to_string(whole) +
+      " bytes were written)");
+  }
+  replaced.Commit();
+}
+}
+
+std::vector<std::string> WriteStructureSet(const std::string& fileName,
+  std::vector<WrittenROI> rois, const StructureSetOptions& options, Monitor& monitor)
+{
+  const QuietDCMTK quiet;
+  std::vector<std::string> report;
+  Checker checker(report);
+  for (WrittenROI& roi : rois)
+  {
+    checker.Check(roi, options.ExclusiveOr);
+  }
+  rois.erase(std::remove_if(rois.begin(), rois.end(),
+               [](const WrittenROI& roi) { return roi.Contours.empty(); }),
+    rois.end());
+  if (rois.empty())
+  {
+    throw Error("There are no contours to write.");
+  }
+  const ReplacedFile isWritable(fileName); // said before the reference is read
+  std::optional<StructureSetReference> reference;
+  if (options.Reference.empty())
+  {
+    reference.emplace();
+    report.push_back("No reference is set: the file names no patient and no images, so that "
+                     "planning systems will not show it on any.");
+  }
+  else
+  {
+    SubMonitor reading(monitor, 0, 0.4);
+    reference.emplace(options.Reference, reading);
+  }
+  if (reference->IsPartOfIt(fileName))
+  {
+    throw Error("Cannot write " + fileName +
+      ": it is the reference itself, which is not overwritten; give another name.");
+  }
+  report.insert(report.end(), reference->GetReport().begin(), reference->GetReport().end());
+  SubMonitor writing(monitor, 0.4, 0.9);
+  Formatter formatter(options, *reference, report);
+  formatter.Format(rois, writing);
+  monitor.Update(0.9, "saving");
+  formatter.Save(fileName);
+  return report;
+}
+}

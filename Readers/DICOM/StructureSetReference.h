@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @file StructureSetReference.h
+ * @brief What a new structure set takes from an existing one, or from the images it is drawn on:
+ * patient, study, frame of reference, and the images with their planes.
+ *
+ * For the sources of this folder only, because it takes in DCMTK's headers.
+ */
+#ifndef recon_StructureSetReference_h
+#define recon_StructureSetReference_h
+
+#include "DICOMItem.h"
+#include "Monitor.h"
+#include "ReferenceSlices.h"
+
+#include <string>
+#include <vector>
+
+namespace recon
+{
+class StructureSetReference
+{
+public:
+  /// No reference: no patient, no images, and a frame of reference of its own.
+  StructureSetReference();
+
+  /**
+   * @param path an RT structure set; or an image (CT, MR, PET) of a series, whose other images are
+   * taken from the same folder; or a folder with the images of one series
+   * @throws Error where it is none of these, or damaged
+   */
+  StructureSetReference(const std::string& path, Monitor& monitor);
+
+  StructureSetReference(const StructureSetReference&) = delete;
+  StructureSetReference& operator=(const StructureSetReference&) = delete;
+
+  bool IsStructureSet() const { return this->Kind == KindOfReference::StructureSet; }
+  bool IsNone() const { return this->Kind == KindOfReference::None; }
+  /// The structure set, or one of the images without its pixels; an empty item where there is none.
+  DcmItem& Data() { return *this->File.getDataset(); }
+  const std::string& GetFrameOfReferenceUID() const { return this->FrameOfReferenceUID; }
+  const ReferenceSlices& GetSlices() const { return this->Slices; }
+  /// Whether writing there would destroy what is referred to.
+  bool IsPartOfIt(const std::string& fileName) const;
+  /// What was odd about it; a sentence each.
+  const std::vector<std::string>& GetReport() const { return this->Report; }
+
+  /// Adds the Referenced Frame of Reference Sequence (3006,0010) with all images.
+  void AddImagesTo(DcmItem& data);
+
+private:
+  enum class KindOfReference
+  {
+    None,
+    StructureSet,
+    Images
+  };
+
+  void TakeStructureSet(const std::string& path, Monitor& monitor);
+  void TakeImages(const std::string& folder, const std::string& seriesUID, Monitor& monitor);
+  void TakeFrameOfReference();
+  std::vector<ReferenceSlice> SlicesDrawnOn(const std::string& path, Monitor& monitor);
+  void CopyFrames(DcmItem& data);
+  void MakeFrame(DcmItem& data);
+
+  KindOfReference Kind = KindOfReference::None;
+  DcmFileFormat File;
+  std::string FrameOfReferenceUID;
+  ReferenceSlices Slices;
+  std::vector<ReferenceSlice> Images; ///< where they are the reference
+  std::vector<std::string> FileNames;
+  std::vector<std::string> Report;
+};
+}
+
+#endif

@@ -1,0 +1,383 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkRTStructureSetWriter.h"
+
+#include "ClosedLoops.h"
+#include "ContourConversion.h"
+#include "StructureSetFormatter.h"
+#include "vtkContourMonitor.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkCellData.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkErrorCode.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkObjectFactory.h"
+#include "vtkPartitionedDataSet.h"
+#include "vtkPartitionedDataSetCollection.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkStringArray.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+vtkStandardNewMacro(vtkRTStructureSetWriter);
+
+namespace
+{
+/// The data of an ROI: a block, whatever number of pieces it comes in.
+struct Block
+{
+  std::string Name;
+  std::vector<vtkPolyData*> Pieces;
+};
+
+std::string TextOrEmpty(const char* text)
+{
+  return text ? text : "";
+}
+
+std::string NameIn(vtkInformation* metaData)
+{
+  return metaData && metaData->Has(vtkCompositeDataSet::NAME())
+    ? TextOrEmpty(metaData->Get(vtkCompositeDataSet::NAME()))
+    : std::string();
+}
+
+void AddPiece(vtkDataObject* data, Block& block)
+{
+  if (!data)
+  {
+    return;
+  }
+  auto* piece = vtkPolyData::SafeDownCast(data);
+  if (!piece)
+  {
+    throw recon::Error("Block \"" + block.Name + "\" is a " + data->GetClassName() +
+      ", and contours are poly data: pick the blocks with contours by Extract Block.");
+  }
+  block.Pieces.push_back(piece);
+}
+
+std::vector<Block> BlocksOf(vtkPartitionedDataSetCollection* collection)
+{
+  std::vector<Block> blocks;
+  for (unsigned int i = 0; i < collection->GetNumberOfPartitionedDataSets(); ++i)
+  {
+    Block block{ collection->HasMetaData(i) ? NameIn(collection->GetMetaData(i)) : std::string(),
+      {} };
+    for (unsigned int k = 0; k < collection->GetNumberOfPartitions(i); ++k)
+    {
+      AddPiece(collection->GetPartitionAsDataObject(i, k), block);
+    }
+    blocks.push_back(std::move(block));
+  }
+  return blocks;
+}
+
+std::vector<Block> BlocksOf(vtkDataObject* input)
+{
+  if (auto* collection = vtkPartitionedDataSetCollection::SafeDownCast(input))
+  {
+    return BlocksOf(collection);
+  }
+  std::vector<Block> blocks;
+  if (auto* composite = vtkCompositeDataSet::SafeDownCast(input))
+  {
+    const auto leaf = vtk::TakeSmartPointer(composite->NewIterator());
+    for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
+    {
+      Block block{ leaf->HasCurrentMetaData() ? NameIn(leaf->GetCurrentMetaData()) : std::string(),
+        {} };
+      AddPiece(leaf->GetCurrentDataObject(), block);
+      blocks.push_back(std::move(block));
+    }
+    return blocks;
+  }
+  if (!input)
+  {
+    throw recon::Error("There are no contours to write: connect contours to the writer.");
+  }
+  blocks.emplace_back();
+  AddPiece(input, blocks.back());
+  return blocks;
+}
+
+/// Whether two polygons have an edge in common, as contours do not.
+bool IsSurface(vtkPolyData* data)
+{
+  std::set<std::pair<vtkIdType, vtkIdType>> edges;
+  const auto cell = vtk::TakeSmartPointer(data->GetPolys()->NewIterator());
+  for (cell->GoToFirstCell(); !cell->IsDoneWithTraversal(); cell->GoToNextCell())
+  {
+    vtkIdType count = 0;
+    const vtkIdType* ids = nullptr;
+    cell->GetCurrentCell(count, ids);
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      if (!edges.insert(std::minmax(ids[i], ids[(i + 1) % count])).second)
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+recon::WrittenContour ContourOf(
+  const recon::LoopSoup& soup, const recon::LoopSoup::Chain& chain, const std::string& type)
+{
+  recon::WrittenContour contour;
+  contour.GeometricType = type;
+  contour.Where = "cell " + std::to_string(chain.Source);
+  for (const int p : chain.Points)
+  {
+    contour.Points.push_back(soup.Points[static_cast<std::size_t>(p)]);
+  }
+  return contour;
+}
+
+/// Contours of a piece, in the order of its cells.
+class ContourCollector
+{
+public:
+  ContourCollector(std::vector<std::string>& report, recon::Monitor& monitor)
+    : Report(report),
+      Monitor(monitor)
+  {
+  }
+
+  void Collect(vtkPolyData* piece, recon::WrittenROI& roi);
+
+private:
+  bool IsPoint(const std::string& type) const
+  {
+    return type == "POINT" || (type.empty() && this->OnlyVertices);
+  }
+  void Add(int cell, recon::WrittenContour contour)
+  {
+    this->Contours.emplace_back(cell, std::move(contour));
+  }
+  void Sort(recon::LoopSoup& soup, vtkStringArray* types);
+
+  std::vector<std::string>& Report;
+  recon::Monitor& Monitor;
+  bool OnlyVertices = false;
+  std::vector<std::pair<int, recon::WrittenContour>> Contours;
+};
+
+/// Takes points and open lines out of the soup, whose rest is or becomes closed.
+void ContourCollector::Sort(recon::LoopSoup& soup, vtkStringArray* types)
+{
+  std::vector<recon::LoopSoup::Chain> rest;
+  for (recon::LoopSoup::Chain& chain : soup.Chains)
+  {
+    const std::string type = types && chain.Source < types->GetNumberOfValues()
+      ? std::string(types->GetValue(chain.Source))
+      : std::string();
+    const bool isOpenLine = type == "OPEN_PLANAR" || type == "OPEN_NONPLANAR";
+    if (!chain.Closed && chain.Points.size() == 1 && this->IsPoint(type))
+    {
+      this->Add(chain.Source, ContourOf(soup, chain, "POINT"));
+    }
+    else if (!chain.Closed && isOpenLine)
+    {
+      this->Add(chain.Source, ContourOf(soup, chain, type));
+    }
+    else
+    {
+      rest.push_back(std::move(chain));
+    }
+  }
+  soup.Chains = std::move(rest);
+}
+
+void ContourCollector::Collect(vtkPolyData* piece, recon::WrittenROI& roi)
+{
+  if (piece->GetNumberOfCells() == 0)
+  {
+    return;
+  }
+  const std::string where = "ROI \"" + roi.Description.Name + "\"";
+  if (IsSurface(piece))
+  {
+    throw recon::Error(where +
+      " is a surface, and a structure set holds contours: cut it by "
+      "Slice, or take Implicit Contours on the planes of the images.");
+  }
+  this->Contours.clear();
+  this->OnlyVertices = piece->GetNumberOfCells() == piece->GetNumberOfVerts();
+  recon::ConvertedLoops converted = recon::ToLoopSoup(piece);
+  this->Sort(converted.Soup,
+    vtkStringArray::SafeDownCast(piece->GetCellData()->GetAbstractArray("GeometricType")));
+  int looseVertices = 0;
+  const recon::LoopSoup closed = recon::CloseLoops(std::move(converted.Soup),
+    where + ", where the cell array GeometricType does not say OPEN_PLANAR, holds", looseVertices,
+    this->Monitor);
+  for (const recon::LoopSoup::Chain& chain : closed.Chains)
+  {
+    this->Add(chain.Source,
+      ContourOf(closed, chain, chain.ExclusiveOr ? "CLOSEDPLANAR_XOR" : "CLOSED_PLANAR"));
+  }
+  std::stable_sort(this->Contours.begin(), this->Contours.end(),
+    [](const auto& a, const auto& b) { return a.first < b.first; });
+  for (auto& contour : this->Contours)
+  {
+    roi.Contours.push_back(std::move(contour.second));
+  }
+  for (const std::string& line : converted.Report)
+  {
+    this->Report.push_back(where + ": " + line);
+  }
+  if (looseVertices > 0)
+  {
+    this->Report.push_back(
+      where + ": " + std::to_string(looseVertices) + " loose vertices are no contours; left out.");
+  }
+}
+
+std::string FieldText(vtkPolyData* data, const char* name)
+{
+  auto* array = vtkStringArray::SafeDownCast(data->GetFieldData()->GetAbstractArray(name));
+  return array && array->GetNumberOfValues() > 0 ? std::string(array->GetValue(0)) : std::string();
+}
+
+/// What the reader says about an ROI, from the first piece of the block.
+recon::StructureSetROI DescriptionOf(const Block& block)
+{
+  recon::StructureSetROI roi;
+  if (!block.Pieces.empty())
+  {
+    vtkPolyData* data = block.Pieces.front();
+    roi.Name = FieldText(data, "ROIName");
+    roi.Type = FieldText(data, "ROIType");
+    vtkDataArray* number = data->GetFieldData()->GetArray("ROINumber");
+    roi.Number =
+      number && number->GetNumberOfTuples() == 1 ? static_cast<int>(number->GetComponent(0, 0)) : 0;
+    vtkDataArray* color = data->GetFieldData()->GetArray("ROIColor");
+    if (color && color->GetNumberOfComponents() == 3 && color->GetNumberOfTuples() == 1)
+    {
+      roi.HasColor = true;
+      for (int c = 0; c < 3; ++c)
+      {
+        roi.Color[c] = static_cast<int>(std::clamp(color->GetComponent(0, c), 0.0, 255.0));
+      }
+    }
+  }
+  if (roi.Name.empty())
+  {
+    roi.Name = block.Name.empty() ? "Contours" : block.Name;
+  }
+  return roi;
+}
+
+recon::StructureSetOptions OptionsOf(vtkRTStructureSetWriter* writer)
+{
+  static const char* const algorithms[] = { "AUTOMATIC", "SEMIAUTOMATIC", "MANUAL" };
+  recon::StructureSetOptions options;
+  options.Reference = TextOrEmpty(writer->GetReferenceFileName());
+  options.CopyReferenceROIs = writer->GetCopyReferenceROIs();
+  options.Label = TextOrEmpty(writer->GetStructureSetLabel());
+  options.GenerationAlgorithm = algorithms[writer->GetGenerationAlgorithm()];
+  options.ExclusiveOr = writer->GetHoles() == vtkRTStructureSetWriter::ExclusiveOr;
+  return options;
+}
+
+std::vector<recon::WrittenROI> ROIsOf(vtkDataObject* input, const std::string& name,
+  const std::string& type, std::vector<std::string>& report, recon::Monitor& monitor)
+{
+  const std::vector<Block> blocks = BlocksOf(input);
+  if (!name.empty() && blocks.size() > 1)
+  {
+    throw recon::Error("ROIName names one ROI, and the input has " + std::to_string(blocks.size()) +
+      " blocks: pick one by Extract Block, or leave it empty.");
+  }
+  ContourCollector collector(report, monitor);
+  std::vector<recon::WrittenROI> rois;
+  for (const Block& block : blocks)
+  {
+    recon::WrittenROI roi{ DescriptionOf(block), {} };
+    roi.Description.Name = name.empty() ? roi.Description.Name : name;
+    roi.Description.Type = type.empty() ? roi.Description.Type : type;
+    for (vtkPolyData* piece : block.Pieces)
+    {
+      collector.Collect(piece, roi);
+    }
+    rois.push_back(std::move(roi));
+  }
+  return rois;
+}
+}
+
+vtkRTStructureSetWriter::vtkRTStructureSetWriter()
+{
+  this->SetStructureSetLabel("Reconstruction");
+}
+
+vtkRTStructureSetWriter::~vtkRTStructureSetWriter()
+{
+  this->SetFileName(nullptr);
+  this->SetReferenceFileName(nullptr);
+  this->SetROIName(nullptr);
+  this->SetROIType(nullptr);
+  this->SetStructureSetLabel(nullptr);
+}
+
+void vtkRTStructureSetWriter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  const auto shown = [](const char* text) { return text ? text : "(none)"; };
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << shown(this->FileName) << "\n";
+  os << indent << "ReferenceFileName: " << shown(this->ReferenceFileName) << "\n";
+  os << indent << "CopyReferenceROIs: " << this->CopyReferenceROIs << "\n";
+  os << indent << "ROIName: " << shown(this->ROIName) << "\n";
+  os << indent << "ROIType: " << shown(this->ROIType) << "\n";
+  os << indent << "StructureSetLabel: " << shown(this->StructureSetLabel) << "\n";
+  os << indent << "GenerationAlgorithm: " << this->GenerationAlgorithm << "\n";
+  os << indent << "Holes: " << this->Holes << "\n";
+}
+
+int vtkRTStructureSetWriter::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  return 1;
+}
+
+void vtkRTStructureSetWriter::WriteData()
+{
+  if (!this->FileName || !*this->FileName)
+  {
+    vtkErrorMacro("No file name is set: set FileName to the RT structure set to write (.dcm).");
+    this->SetErrorCode(vtkErrorCode::NoFileNameError);
+    return;
+  }
+  try
+  {
+    vtkContourMonitor monitor(this);
+    std::vector<std::string> report;
+    std::vector<recon::WrittenROI> rois = ROIsOf(
+      this->GetInput(), TextOrEmpty(this->ROIName), TextOrEmpty(this->ROIType), report, monitor);
+    const std::vector<std::string> more =
+      recon::WriteStructureSet(this->FileName, std::move(rois), OptionsOf(this), monitor);
+    report.insert(report.end(), more.begin(), more.end());
+    for (const std::string& line : report)
+    {
+      vtkWarningMacro(<< line);
+    }
+    this->SetErrorCode(vtkErrorCode::NoError);
+  }
+  catch (const recon::Aborted&)
+  {
+    this->SetErrorCode(vtkErrorCode::UserError);
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorMacro(<< error.what());
+    this->SetErrorCode(vtkErrorCode::CannotOpenFileError);
+  }
+}
