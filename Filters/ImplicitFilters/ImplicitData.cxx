@@ -151,6 +151,7 @@ void ToPolyData(const ImplicitFunction& function, vtkPolyData* output)
   AddFieldNumbers(output, "Origin", { function.Origin.begin(), function.Origin.end() });
   AddFieldNumbers(output, "SupportRadius", { function.Phi.Radius });
   AddFieldNumbers(output, "Residual", { function.Residual });
+  AddFieldNumbers(output, "Iterations", { static_cast<double>(function.Iterations) });
   vtkNew<vtkStringArray> kernel;
   kernel->SetName("Kernel");
   kernel->InsertNextValue(function.Phi.Kind == Kernel::Wendland ? "Wendland" : "Triharmonic");

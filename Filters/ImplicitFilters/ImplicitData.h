@@ -39,7 +39,7 @@ void ToPolyData(const ConstraintSet& constraints, vtkPolyData* output);
 
 /// Points = centres, with vertex cells; point arrays `Weight`, `Value`; field data `Polynomial` (4
 /// values, about `Origin`), `Origin`, `Kernel` ("Triharmonic" or "Wendland"), `SupportRadius`,
-/// `Residual`.
+/// `Residual`, `Iterations`.
 void ToPolyData(const ImplicitFunction& function, vtkPolyData* output);
 
 /// The same way back, also from a file. @throws Error where something is missing or damaged.

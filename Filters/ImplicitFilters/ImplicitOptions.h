@@ -35,6 +35,7 @@ FunctionOptions FunctionOptionsOf(Filter* filter)
   options.Kind = static_cast<Kernel::KindType>(filter->GetKernel());
   options.SupportRadius = filter->GetSupportRadius();
   options.Solver = static_cast<FunctionOptions::SolverType>(filter->GetSolver());
+  options.Tolerance = filter->GetTolerance();
   options.Smoothing = filter->GetSmoothing();
   options.Threads = filter->GetThreads();
   return options;

@@ -56,6 +56,7 @@ void vtkImplicitFunctionFit::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Kernel: " << this->Kernel << "\n";
   os << indent << "SupportRadius: " << this->SupportRadius << "\n";
   os << indent << "Solver: " << this->Solver << "\n";
+  os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "Smoothing: " << this->Smoothing << "\n";
   os << indent << "Threads: " << this->Threads << "\n";
 }

@@ -8,8 +8,9 @@
  *
  * Output: the model, as data that can be saved as .vtp and used again: points = centres, point
  * arrays `Weight` and `Value`; field data `Polynomial` (p0..p3, about `Origin`), `Origin`,
- * `Kernel`, `SupportRadius`, `Residual` (the largest misfit, evaluated, in the unit of Value) and
- * `Report`. f(x) = sum of Weight times |x - centre|^3, plus p0 + (p1, p2, p3) . (x - Origin).
+ * `Kernel`, `SupportRadius`, `Residual` (the largest misfit, evaluated, in the unit of Value),
+ * `Iterations` (of the iterative solver; 0: solved directly) and `Report`. f(x) = sum of Weight
+ * times |x - centre|^3, plus p0 + (p1, p2, p3) . (x - Origin).
  *
  * Errors: no array Value; fewer than four points; all in one plane; all of one value; NaN; a system
  * too large for memory or singular.
@@ -53,16 +54,31 @@ public:
 
   enum SolverType
   {
-    ProjectedCholesky = 0,
-    LU = 1
+    Automatic = 0,
+    LU = 1,
+    Direct = 2,
+    Iterative = 3
   };
 
   ///@{
   /**
-   * ProjectedCholesky (default) or the thesis's LU, which takes twice the work.
+   * Automatic (default): Direct, Cholesky's factorisation, for a few thousand constraints, as its
+   * time grows with their cube, and Iterative, preconditioned conjugate gradients, for more. LU is
+   * the thesis's, with twice the work of Direct. All give the same function, Iterative to
+   * Tolerance.
    */
-  vtkSetClampMacro(Solver, int, ProjectedCholesky, LU);
+  vtkSetClampMacro(Solver, int, Automatic, Iterative);
   vtkGetMacro(Solver, int);
+  ///@}
+
+  ///@{
+  /**
+   * Largest misfit at a constraint that the iterative solver is content with, in the unit of Value;
+   * 0, the default: a hundred thousandth of half the range of the values. Where it is not reached,
+   * Report says so.
+   */
+  vtkSetMacro(Tolerance, double);
+  vtkGetMacro(Tolerance, double);
   ///@}
 
   ///@{
@@ -95,7 +111,8 @@ private:
 
   int Kernel = Triharmonic;
   double SupportRadius = 0.0;
-  int Solver = ProjectedCholesky;
+  int Solver = Automatic;
+  double Tolerance = 0.0;
   double Smoothing = 0.0;
   int Threads = 0;
 };

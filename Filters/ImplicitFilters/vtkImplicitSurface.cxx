@@ -82,6 +82,7 @@ void vtkImplicitSurface::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Kernel: " << this->Kernel << "\n";
   os << indent << "SupportRadius: " << this->SupportRadius << "\n";
   os << indent << "Solver: " << this->Solver << "\n";
+  os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "Smoothing: " << this->Smoothing << "\n";
   os << indent << "CellSize: " << this->CellSize << "\n";
   os << indent << "UseBounds: " << this->UseBounds << "\n";

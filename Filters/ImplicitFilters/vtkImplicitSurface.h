@@ -138,16 +138,31 @@ public:
 
   enum SolverType
   {
-    ProjectedCholesky = 0,
-    LU = 1
+    Automatic = 0,
+    LU = 1,
+    Direct = 2,
+    Iterative = 3
   };
 
   ///@{
   /**
-   * ProjectedCholesky (default) or the thesis's LU, which takes twice the work.
+   * Automatic (default): Direct, Cholesky's factorisation, for a few thousand constraints, as its
+   * time grows with their cube, and Iterative, preconditioned conjugate gradients, for more. LU is
+   * the thesis's, with twice the work of Direct. All give the same function, Iterative to
+   * Tolerance.
    */
-  vtkSetClampMacro(Solver, int, ProjectedCholesky, LU);
+  vtkSetClampMacro(Solver, int, Automatic, Iterative);
   vtkGetMacro(Solver, int);
+  ///@}
+
+  ///@{
+  /**
+   * Largest misfit at a constraint that the iterative solver is content with, in the unit of Value;
+   * 0, the default: a hundred thousandth of half the range of the values. Where it is not reached,
+   * Report says so.
+   */
+  vtkSetMacro(Tolerance, double);
+  vtkGetMacro(Tolerance, double);
   ///@}
 
   ///@{
@@ -250,7 +265,8 @@ private:
   double ResampleTolerance = 0.0;
   int Kernel = Triharmonic;
   double SupportRadius = 0.0;
-  int Solver = ProjectedCholesky;
+  int Solver = Automatic;
+  double Tolerance = 0.0;
   double Smoothing = 0.0;
   double CellSize = 0.0;
   bool UseBounds = false;

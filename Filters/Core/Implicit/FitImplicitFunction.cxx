@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "../Parallel.h"
+#include "AvailableMemory.h"
 #include "ImplicitFunction.h"
+#include "IterativeRbfSystem.h"
+#include "KernelSums.h"
 #include "PointGrid.h"
 #include "RbfSystem.h"
 #include "SubMonitor.h"
@@ -21,6 +25,18 @@ constexpr double SuspiciousMisfit = 1e-4;
 /// Points whose spread in the third direction is less than this part of the first are in one plane;
 /// the spread is a square root, so rounding alone makes about 1e-8.
 constexpr double FlatRatio = 1e-7;
+/// Tolerance where none is given, as a part of half the values' range.
+constexpr double DefaultTolerance = 1e-5;
+/// Up to here the direct solver is the faster one (measured, see ./run bench ism) ...
+constexpr std::size_t DirectIsFaster = 3000;
+/// ... and up to here it is worth its time where the iterative one does not get there.
+constexpr std::size_t DirectIsBearable = 12000;
+/// Part of the free memory that a fit may take.
+constexpr double MemoryShare = 0.8;
+/// The misfit is looked at by exact sums at all constraints up to the first number, else at the
+/// second.
+constexpr std::size_t ExactlyCheckedAll = 30000;
+constexpr std::size_t ExactlyCheckedSome = 4096;
 
 std::string Text(double x)
 {
@@ -184,20 +200,37 @@ bool IsFlat(const std::vector<Point3>& unitPoints)
     FlatRatio * std::sqrt(solver.eigenvalues()[2]);
 }
 
-void CheckMemory(std::size_t constraints, const FunctionOptions& options)
+double AllowedGigabytes(const FunctionOptions& options)
 {
-  if (options.Kind == Kernel::Wendland)
+  return options.MaxGigabytes > 0 ? options.MaxGigabytes : MemoryShare * AvailableGigabytes();
+}
+
+double GigabytesOf(FunctionOptions::SolverType solver, std::size_t constraints)
+{
+  switch (solver)
+  {
+    case FunctionOptions::LU:
+      return LUGigabytes(constraints);
+    case FunctionOptions::Iterative:
+      return IterativeGigabytes(constraints);
+    default:
+      return ProjectedGigabytes(constraints);
+  }
+}
+
+void CheckMemory(
+  FunctionOptions::SolverType solver, std::size_t constraints, const FunctionOptions& options)
+{
+  const double need = GigabytesOf(solver, constraints);
+  const double allowed = AllowedGigabytes(options);
+  if (need <= allowed)
   {
     return;
   }
-  const double need = options.Solver == FunctionOptions::LU ? LUGigabytes(constraints)
-                                                            : ProjectedGigabytes(constraints);
-  if (need > options.MaxGigabytes)
-  {
-    throw Error(std::to_string(constraints) + " constraints need a matrix of " + Text(need) +
-      " GB, more than the " + Text(options.MaxGigabytes) +
-      " GB allowed: resample the contours, or choose the Wendland kernel.");
-  }
+  const bool iterative = solver == FunctionOptions::Iterative;
+  throw Error(std::to_string(constraints) + " constraints need " + Text(need) +
+    " GB, more than the " + Text(allowed) + " GB allowed: resample the contours" +
+    (iterative ? "." : ", or choose the iterative solver."));
 }
 
 /// The function in unit-ball coordinates, whose parts are then scaled back.
@@ -222,9 +255,53 @@ public:
 
   bool Flat() const { return IsFlat(this->Problem.Points); }
 
-  RbfSolution Solve(Monitor& monitor, std::vector<std::string>& report) const
+  /// Weights and polynomial; function gets Iterations and sentences.
+  RbfSolution Solve(Monitor& monitor, ImplicitFunction& function) const
   {
-    const auto system = this->Factorise(monitor, report);
+    const std::size_t n = this->Target.size();
+    if (this->Options.Kind == Kernel::Wendland)
+    {
+      return this->SolveDirectly(this->Options.Solver, monitor, function);
+    }
+    const FunctionOptions::SolverType solver = ChooseSolver(n, this->Options);
+    CheckMemory(solver, n, this->Options);
+    if (solver != FunctionOptions::Iterative)
+    {
+      return this->SolveDirectly(solver, monitor, function);
+    }
+    const IterativeResult result = this->SolveInSteps(monitor, function);
+    const bool canBeBetter = this->Options.Solver == FunctionOptions::Automatic &&
+      n <= DirectIsBearable && ProjectedGigabytes(n) <= AllowedGigabytes(this->Options);
+    if (result.Converged || !canBeBetter)
+    {
+      return result.Solution;
+    }
+    function.Report.push_back("It was solved directly instead.");
+    return this->SolveDirectly(FunctionOptions::Direct, monitor, function);
+  }
+
+  /// From the unit ball to the units of the input: phi(r / s) = phi(r) / s^3 for |r|^3.
+  void ScaleBack(const RbfSolution& solution, ImplicitFunction& function) const
+  {
+    const double s = this->Ball.Scale;
+    const double factor = this->Options.Kind == Kernel::Triharmonic ? 1 / (s * s * s) : 1;
+    function.Phi.Kind = this->Options.Kind;
+    function.Phi.Radius = this->SupportRadius();
+    function.Origin = this->Ball.Origin;
+    function.Polynomial = { solution.Polynomial[0], solution.Polynomial[1] / s,
+      solution.Polynomial[2] / s, solution.Polynomial[3] / s };
+    function.Weights = solution.Weights;
+    for (double& w : function.Weights)
+    {
+      w *= factor;
+    }
+  }
+
+private:
+  RbfSolution SolveDirectly(
+    FunctionOptions::SolverType solver, Monitor& monitor, ImplicitFunction& function) const
+  {
+    const auto system = this->Factorise(solver, monitor, function.Report);
     std::vector<double> right = this->Target;
     for (double& h : right)
     {
@@ -246,37 +323,39 @@ public:
     return solution;
   }
 
-  /// From the unit ball to the units of the input: phi(r / s) = phi(r) / s^3 for |r|^3.
-  void ScaleBack(const RbfSolution& solution, ImplicitFunction& function) const
+  IterativeResult SolveInSteps(Monitor& monitor, ImplicitFunction& function) const
   {
-    const double s = this->Ball.Scale;
-    const double factor = this->Options.Kind == Kernel::Triharmonic ? 1 / (s * s * s) : 1;
-    function.Phi.Kind = this->Options.Kind;
-    function.Phi.Radius = this->SupportRadius();
-    function.Origin = this->Ball.Origin;
-    function.Polynomial = { solution.Polynomial[0], solution.Polynomial[1] / s,
-      solution.Polynomial[2] / s, solution.Polynomial[3] / s };
-    function.Weights = solution.Weights;
-    for (double& w : function.Weights)
+    const auto [least, largest] = std::minmax_element(this->Target.begin(), this->Target.end());
+    const double tolerance = this->Options.Tolerance > 0
+      ? this->Options.Tolerance
+      : DefaultTolerance * 0.5 * (*largest - *least);
+    IterativeResult result = SolveIteratively(this->Problem, this->Target, tolerance, monitor);
+    function.Iterations = result.Iterations;
+    if (!result.Converged)
     {
-      w *= factor;
+      function.Report.push_back("The iterative solver stopped after " +
+        std::to_string(result.Iterations) + " steps at a misfit of " + Text(result.Misfit) +
+        ", above the tolerance of " + Text(tolerance) +
+        ", because it no longer fell: constraints contradict each other or lie too close together; "
+        "merge near points, enlarge the margin distance or the tolerance.");
     }
+    return result;
   }
 
-private:
   double SupportRadius() const
   {
     return this->Options.SupportRadius > 0 ? this->Options.SupportRadius : 0.5 * this->Ball.Scale;
   }
 
-  std::unique_ptr<RbfSystem> Factorise(Monitor& monitor, std::vector<std::string>& report) const
+  std::unique_ptr<RbfSystem> Factorise(
+    FunctionOptions::SolverType solver, Monitor& monitor, std::vector<std::string>& report) const
   {
     std::unique_ptr<RbfSystem> system;
     if (this->Options.Kind == Kernel::Wendland)
     {
       system = FactoriseSparse(this->Problem, monitor);
     }
-    else if (this->Options.Solver == FunctionOptions::LU)
+    else if (solver == FunctionOptions::LU)
     {
       system = FactoriseLU(this->Problem, monitor);
     }
@@ -322,15 +401,54 @@ private:
   RbfProblem Problem;
 };
 
-double LargestMisfit(const ImplicitFunction& function, int threads)
+/// Values by exact sums, whatever their number, that can be stopped.
+std::vector<double> ExactValues(const ImplicitFunction& function, const std::vector<Point3>& points,
+  int threads, Monitor& monitor)
 {
-  const std::vector<double> f = function.Evaluate(function.Centres, threads);
+  constexpr std::size_t PointsPerPiece = 32;
+  std::vector<double> values(points.size());
+  ParallelFor(static_cast<int>((points.size() + PointsPerPiece - 1) / PointsPerPiece), threads,
+    [&](int piece)
+    {
+      const std::size_t from = static_cast<std::size_t>(piece) * PointsPerPiece;
+      const std::size_t to = std::min(points.size(), from + PointsPerPiece);
+      SumKernels(function.Phi, function.Centres, function.Weights, points.data() + from, to - from,
+        values.data() + from);
+      for (std::size_t i = from; i < to; ++i)
+      {
+        const Vector3 x = points[i] - function.Origin;
+        values[i] += function.Polynomial[0] + function.Polynomial[1] * x[0] +
+          function.Polynomial[2] * x[1] + function.Polynomial[3] * x[2];
+      }
+    },
+    monitor, { 0, 1, "checking the misfit" });
+  return values;
+}
+
+double LargestMisfit(ImplicitFunction& function, int threads, Monitor& monitor)
+{
+  const std::size_t n = function.Centres.size();
+  const std::size_t checked = n <= ExactlyCheckedAll ? n : ExactlyCheckedSome;
+  std::vector<Point3> points;
+  std::vector<double> values;
+  for (std::size_t k = 0; k < checked; ++k)
+  {
+    const std::size_t i = k * n / checked;
+    points.push_back(function.Centres[i]);
+    values.push_back(function.Values[i]);
+  }
+  const std::vector<double> f = ExactValues(function, points, threads, monitor);
   double largest = 0;
-  for (std::size_t j = 0; j < f.size(); ++j)
+  for (std::size_t k = 0; k < checked; ++k)
   {
     // A NaN must not hide: the negated comparison takes it.
-    const double misfit = std::abs(f[j] - function.Values[j]);
+    const double misfit = std::abs(f[k] - values[k]);
     largest = !(misfit <= largest) ? misfit : largest;
+  }
+  if (checked < n)
+  {
+    function.Report.push_back("The residual was evaluated by exact sums at " +
+      std::to_string(checked) + " of " + std::to_string(n) + " constraints.");
   }
   return largest;
 }
@@ -340,6 +458,10 @@ void CheckOptions(const FunctionOptions& options)
   if (!(options.Smoothing >= 0) || !std::isfinite(options.Smoothing))
   {
     throw Error("Smoothing must be 0 or positive.");
+  }
+  if (!(options.Tolerance >= 0) || !std::isfinite(options.Tolerance))
+  {
+    throw Error("Tolerance must be positive, or 0 to have it chosen.");
   }
   if (!(options.SupportRadius >= 0) || !std::isfinite(options.SupportRadius))
   {
@@ -351,6 +473,17 @@ void CheckOptions(const FunctionOptions& options)
       "The merge tolerance must be a part, between 0 and 1, of the bounding box's diagonal.");
   }
 }
+}
+
+FunctionOptions::SolverType ChooseSolver(std::size_t constraints, const FunctionOptions& options)
+{
+  if (options.Solver != FunctionOptions::Automatic)
+  {
+    return options.Solver;
+  }
+  const bool direct = constraints <= DirectIsFaster &&
+    GigabytesOf(FunctionOptions::Direct, constraints) <= AllowedGigabytes(options);
+  return direct ? FunctionOptions::Direct : FunctionOptions::Iterative;
 }
 
 ImplicitFunction FitImplicitFunction(const std::vector<Point3>& points,
@@ -377,7 +510,6 @@ ImplicitFunction FitImplicitFunction(const std::vector<Point3>& points,
   const Constraints merged = diagonal > 0
     ? MergeDuplicates(points, values, distance, function.Report)
     : Constraints{ { points.front() }, { values.front() } };
-  CheckMemory(merged.Points.size(), options);
   const Fitter fitter(merged, options);
   if (merged.Points.size() < 4 || fitter.Flat())
   {
@@ -387,11 +519,12 @@ ImplicitFunction FitImplicitFunction(const std::vector<Point3>& points,
   }
 
   SubMonitor solving(monitor, 0, 0.95);
-  const RbfSolution solution = fitter.Solve(solving, function.Report);
+  const RbfSolution solution = fitter.Solve(solving, function);
   fitter.ScaleBack(solution, function);
   function.Centres = merged.Points;
   function.Values = merged.Values;
-  function.Residual = LargestMisfit(function, options.Threads);
+  SubMonitor checking(monitor, 0.95, 1);
+  function.Residual = LargestMisfit(function, options.Threads, checking);
   if (!std::isfinite(function.Residual))
   {
     throw Error(
