@@ -22,6 +22,7 @@ READERS = {
 }
 METHODS = {"psm": "PolyhedralSurface", "ism": "ImplicitSurface"}
 SURFACE_FORMATS = (".vtp", ".stl", ".ply", ".brep")
+STRUCTURE_SET = ".dcm"
 
 
 class CommandError(Exception):
@@ -196,21 +197,25 @@ def _blocks(data, title):
     return blocks
 
 
-def apply_settings(proxy, settings):
-    """settings: list of PROPERTY=VALUE."""
+def apply_settings(proxies, settings):
+    """settings: list of PROPERTY=VALUE, each for those of the proxies that have it."""
     for setting in settings:
         name, equals, value = setting.partition("=")
         if not equals:
             raise CommandError(f"--set {setting}: write PROPERTY=VALUE.")
-        known = [p for p in proxy.ListProperties() if p not in ("Input", "Threads")] + ["Threads"]
-        if name not in known:
-            raise CommandError(f"{proxy.GetXMLLabel()} has no property '{name}'; it has: {', '.join(known)}.")
+        hidden = ("Input", "Planes", "FileName", "ReferenceFileName")
+        known = {p.GetXMLLabel(): [q for q in p.ListProperties() if q not in hidden] for p in proxies}
+        having = [p for p in proxies if name in known[p.GetXMLLabel()]]
+        if not having:
+            raise CommandError("; ".join(f"{label} has no property '{name}'; it has: {', '.join(names)}"
+                                         for label, names in known.items()) + ".")
         words = [word.strip() for word in value.split(",")]
         values = [_number(word) for word in words]
-        try:
-            setattr(proxy, name, values if len(values) > 1 else values[0])
-        except (TypeError, ValueError, RuntimeError) as error:
-            raise CommandError(f"--set {setting}: {' '.join(str(error).split())}.")
+        for proxy in having:
+            try:
+                setattr(proxy, name, values if len(values) > 1 else values[0])
+            except (TypeError, ValueError, RuntimeError) as error:
+                raise CommandError(f"--set {setting}: {' '.join(str(error).split())}.")
 
 
 def _number(word):
@@ -268,7 +273,7 @@ def reconstruct(contours, method="psm", settings=(), bar=None):
     """Contours to a certified surface."""
     source = as_source(contours.data)
     node = _new(METHODS[method], Input=source)
-    apply_settings(node, settings)
+    apply_settings([node], settings)
     total = run_proxy(node, bar)
     surface = _detached(node.GetClientSideObject().GetOutputDataObject(0))
     report = _strings(surface, "Report")
@@ -285,6 +290,49 @@ def reconstruct(contours, method="psm", settings=(), bar=None):
     simple.Delete(node)
     simple.Delete(source)
     return Result(contours, surface, stages, certificate, report)
+
+
+class StructureSetWriter:
+    """Traces contours on the slices of a reference, and writes them, a region of interest a block."""
+
+    def __init__(self, path, reference, settings=()):
+        self.writer = _new("DICOMRTStructureSetWriter", FileName=path, ReferenceFileName=reference)
+        self.settings = settings
+        self.traced = []
+        self.rows = []  # of the table: name, contours drawn, contours written, slices, seconds
+        self.planes = {}
+        if not any(setting.partition("=")[0] in ("Spacing", "Range", "UseRange") for setting in settings):
+            self.planes = {"Planes": _new("DICOMSlicePlanes", FileName=reference)}
+            run_proxy(self.planes["Planes"])
+
+    def trace(self, block, bar=None):
+        """Fit an implicit function to a block, and take its contours."""
+        source = as_source(block.data)
+        constraints = _new("ImplicitConstraints", Input=source)
+        function = _new("ImplicitFunction", Input=constraints)
+        contours = _new("ImplicitContours", Input=function, **self.planes)
+        stages = [constraints, function, contours]
+        apply_settings(stages + [self.writer], self.settings)
+        try:
+            seconds = sum(run_proxy(stage, bar) for stage in stages)
+        except CommandError as error:
+            raise CommandError(f"{block.name}: {error}")
+        data = _detached(contours.GetClientSideObject().GetOutputDataObject(0))
+        slices = data.GetFieldData().GetArray("LevelOffset").GetNumberOfTuples()
+        self.rows.append([block.name, block.data.GetNumberOfCells(), data.GetNumberOfCells(), slices, f"{seconds:.2f}"])
+        self.traced.append(Contours(block.name, data))
+        for proxy in reversed([source] + stages):
+            simple.Delete(proxy)
+
+    def write(self):
+        """Write all that was traced; the node leaves a whole file or none. What it has to say is printed."""
+        from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkPartitionedDataSetCollection
+        collection = vtkPartitionedDataSetCollection()
+        for i, block in enumerate(self.traced):
+            collection.SetPartition(i, 0, block.data)
+            collection.GetMetaData(i).Set(vtkCompositeDataSet.NAME(), block.name)
+        self.writer.Input = as_source(collection)
+        run_proxy(self.writer)
 
 
 def certify(surface, contours_proxy, bar=None):

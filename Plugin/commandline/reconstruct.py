@@ -16,7 +16,9 @@ def parse(arguments):
         description="Turn planar contours into closed surfaces and print what they are worth.",
         epilog="Of several ROIs each gets a file of its own: OUT with the ROI's name before the extension.")
     parser.add_argument("input", metavar="IN", help="contours: " + " ".join(cli.READERS))
-    parser.add_argument("output", metavar="OUT", help="surface: " + " ".join(cli.SURFACE_FORMATS))
+    parser.add_argument("output", metavar="OUT",
+                        help="surface: " + " ".join(cli.SURFACE_FORMATS) +
+                             "; or, of --method ism, contours on all slices as an RT structure set: .dcm")
     parser.add_argument("--method", choices=sorted(cli.METHODS), default="psm",
                         help="psm: polyhedral, exactly through parallel contours (default); "
                              "ism: implicit, smooth, contours on any planes")
@@ -24,6 +26,9 @@ def parse(arguments):
                         help="the ROIs of a structure set to take; all without this")
     parser.add_argument("--set", action="append", metavar="PROPERTY=VALUE", default=[], dest="settings",
                         help="a property of the node (Polyhedral Surface or Implicit Surface); repeatable")
+    parser.add_argument("--reference", metavar="FILE",
+                        help="for OUT.dcm: the RT structure set that the contours were drawn in, or one image of their "
+                             "series; it gives patient, study and slices (IN, where that is one)")
     parser.add_argument("--certificate", metavar="FILE.json",
                         help="write everything that is known about the surfaces")
     return parser.parse_args(arguments)
@@ -39,9 +44,9 @@ def output_path(path, name, several):
 def check_output(path):
     """Say that the output cannot be written before the work is done, not after it."""
     extension = os.path.splitext(path)[1].lower()
-    if extension not in cli.SURFACE_FORMATS:
+    if extension not in cli.SURFACE_FORMATS + (cli.STRUCTURE_SET,):
         raise cli.CommandError(f"{path}: cannot write '{extension}' files; surfaces are written to "
-                               f"{' '.join(cli.SURFACE_FORMATS)}.")
+                               f"{' '.join(cli.SURFACE_FORMATS)}, contours to {cli.STRUCTURE_SET}.")
     folder = os.path.dirname(os.path.abspath(path))
     if not os.path.isdir(folder):
         raise cli.CommandError(f"There is no folder {folder} to write {os.path.basename(path)} to.")
@@ -61,8 +66,47 @@ def write_certificate(path, results):
         raise cli.CommandError(f"{path} could not be written: {error.strerror}.")
 
 
+def is_structure_set(path):
+    return os.path.splitext(path)[1].lower() == cli.STRUCTURE_SET
+
+
+def check_structure_set(options):
+    """What can be said about OUT.dcm before any work. Returns the reference."""
+    if options.method != "ism":
+        raise cli.CommandError(f"{options.output}: contours on other slices are the implicit method's; "
+                               "add --method ism.")
+    if options.certificate:
+        raise cli.CommandError(f"--certificate is about surfaces, and {options.output} will hold contours.")
+    reference = options.reference or (options.input if is_structure_set(options.input) else None)
+    if not reference:
+        raise cli.CommandError(f"{options.output} needs a patient and slices: give the RT structure set that the "
+                               "contours were drawn in, or an image of the series, by --reference.")
+    if not os.path.exists(reference):
+        raise cli.CommandError(f"There is no file {reference}.")
+    for path in (reference, options.input):
+        if os.path.exists(options.output) and os.path.samefile(path, options.output):
+            raise cli.CommandError(f"{options.output} is read as well, and not overwritten; give another name.")
+    return reference
+
+
+def write_structure_set(options, blocks, reference):
+    writer = cli.StructureSetWriter(options.output, reference, options.settings)
+    for block in blocks:
+        bar = cli.ProgressBar(block.name)
+        try:
+            writer.trace(block, bar)
+        finally:
+            bar.clear()
+    writer.write()
+    print(cli.format_table(writer.rows, ["", "contours drawn", "written", "slices", "seconds"]))
+    print("\nWritten: " + options.output)
+
+
 def run(options):
     check_output(options.output)
+    reference = check_structure_set(options) if is_structure_set(options.output) else None
+    if options.reference and not reference:
+        raise cli.CommandError(f"--reference is for an RT structure set (.dcm), and {options.output} is none.")
     cli.load_plugin()
     blocks, reading = cli.read_contours(options.input, options.roi)
     filled = [block for block in blocks if not block.empty]
@@ -71,6 +115,10 @@ def run(options):
             print(f"{block.name}: no contours, nothing to do.")
     if not filled:
         raise cli.CommandError(f"{options.input} holds no contours.")
+
+    if reference:
+        write_structure_set(options, filled, reference)
+        return
 
     results, failures, files, writing = [], [], [], 0.0
     for block in filled:

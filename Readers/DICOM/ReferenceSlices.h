@@ -7,7 +7,9 @@
 #define recon_ReferenceSlices_h
 
 #include "Geometry.h"
+#include "Monitor.h"
 
+#include <array>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -21,6 +23,8 @@ struct ReferenceSlice
   std::string InstanceUID;
   Vector3 Normal{ 0, 0, 1 }; ///< of length 1; its largest component is positive
   double Offset = 0;         ///< along Normal, from the origin
+  /// Around the pixels of an image; around all that is drawn, for an image that is known from that.
+  std::array<Point3, 4> Outline{};
 };
 
 /// Of length 1 with a positive largest component, and exactly an axis where it is one but for
@@ -46,7 +50,7 @@ public:
   /// The slice that all points of a contour are nearest to; nullptr where they lie on none.
   const ReferenceSlice* Find(const std::vector<Point3>& contour) const;
 
-  std::size_t Size() const { return this->Slices.size(); }
+  const std::vector<ReferenceSlice>& GetSlices() const { return this->Slices; }
   /// Largest distance of a contour from its slice, mm.
   double GetTolerance() const { return this->Tolerance; }
 
@@ -54,6 +58,15 @@ private:
   std::vector<ReferenceSlice> Slices;
   double Tolerance = 0;
 };
+
+/**
+ * The images of known plane, by increasing offset.
+ *
+ * @param path an RT structure set, an image of a series, or a folder of images, as
+ * StructureSetReference takes them
+ * @throws Error where it is none of these, damaged, or tells no plane
+ */
+std::vector<ReferenceSlice> ReadReferenceSlices(const std::string& path, Monitor& monitor);
 }
 
 #endif

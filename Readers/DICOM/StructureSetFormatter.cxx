@@ -436,7 +436,7 @@ void Formatter::Format(std::vector<WrittenROI>& rois, Monitor& monitor)
   {
     this->Report.push_back(std::to_string(this->ContoursOnNoSlice) + " of " +
       std::to_string(contours) + " contours lie on none of the " +
-      std::to_string(this->Reference.GetSlices().Size()) +
+      std::to_string(this->Reference.GetSlices().GetSlices().size()) +
       " images whose planes the reference tells, and refer to none.");
   }
 }

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "StructureSetReference.h"
 
+#include "Contours/ContourPlanes.h"
+
 #include <dcmtk/dcmdata/dcuid.h>
 
 #include <algorithm>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <set>
 #include <utility>
@@ -54,6 +57,15 @@ struct DrawnImage
   std::vector<Point3> Points;
 };
 
+void GetCount(DcmItem& image, const DcmTagKey& key, int& count)
+{
+  Uint16 value = 0;
+  if (image.findAndGetUint16(key, value).good() && value > 0)
+  {
+    count = value;
+  }
+}
+
 ReferenceSlice SliceOfImage(DcmItem& image)
 {
   ReferenceSlice slice;
@@ -70,7 +82,46 @@ ReferenceSlice SliceOfImage(DcmItem& image)
   }
   slice.Normal = SliceNormal(Cross(row, column));
   slice.Offset = Dot(slice.Normal, corner);
+  // The position is the centre of the first pixel; the first spacing is that of the rows.
+  double spacing[2] = { 1, 1 };
+  int rows = 1;
+  int columns = 1;
+  GetNumber(image, DCM_PixelSpacing, 0, spacing[0]);
+  GetNumber(image, DCM_PixelSpacing, 1, spacing[1]);
+  GetCount(image, DCM_Rows, rows);
+  GetCount(image, DCM_Columns, columns);
+  const Vector3 across = (columns * spacing[1]) * row;
+  const Vector3 down = (rows * spacing[0]) * column;
+  const Point3 start = corner - (0.5 * spacing[1] * row + 0.5 * spacing[0] * column);
+  slice.Outline = { start, start + across, start + across + down, start + down };
   return slice;
+}
+
+/// A rectangle at the slice's offset, 1 mm around the other slices' contours as well.
+void OutlineDrawn(const std::vector<DrawnImage>& drawn, std::vector<ReferenceSlice>& slices)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  for (ReferenceSlice& slice : slices)
+  {
+    const PlanarFrame frame = MakeFrame(slice.Normal);
+    Point2 low{ infinity, infinity };
+    Point2 high{ -infinity, -infinity };
+    for (const DrawnImage& image : drawn)
+    {
+      for (const Point3& p : image.Points)
+      {
+        const Point2 q = frame.ToPlane(p);
+        for (int a = 0; a < 2; ++a)
+        {
+          low[a] = std::min(low[a], q[a] - 1);
+          high[a] = std::max(high[a], q[a] + 1);
+        }
+      }
+    }
+    slice.Outline = { frame.ToSpace(low, slice.Offset),
+      frame.ToSpace({ high[0], low[1] }, slice.Offset), frame.ToSpace(high, slice.Offset),
+      frame.ToSpace({ low[0], high[1] }, slice.Offset) };
+  }
 }
 
 /// Images that the reference lists, of known plane or not.
@@ -242,6 +293,7 @@ std::vector<ReferenceSlice> StructureSetReference::SlicesDrawnOn(
     }
   }
   std::vector<ReferenceSlice> slices;
+  std::vector<DrawnImage> kept;
   for (auto& [uid, image] : drawn)
   {
     // The normal of a small contour is noise: rounded coordinates, and tips of almost no area.
@@ -250,9 +302,11 @@ std::vector<ReferenceSlice> StructureSetReference::SlicesDrawnOn(
     image.Slice.Offset = MeanOffset(image.Points, image.Slice.Normal);
     if (Norm(image.Slice.Normal) > 0)
     {
-      slices.push_back(std::move(image.Slice));
+      slices.push_back(image.Slice);
+      kept.push_back(std::move(image));
     }
   }
+  OutlineDrawn(kept, slices);
   return slices;
 }
 
@@ -373,5 +427,19 @@ void StructureSetReference::MakeFrame(DcmItem& data)
   {
     AddImage(slice.ClassUID, slice.InstanceUID, series);
   }
+}
+
+std::vector<ReferenceSlice> ReadReferenceSlices(const std::string& path, Monitor& monitor)
+{
+  const QuietDCMTK quiet;
+  const StructureSetReference reference(path, monitor);
+  std::vector<ReferenceSlice> slices = reference.GetSlices().GetSlices();
+  if (slices.empty())
+  {
+    Fail(path, "it does not say which image any of its contours lies on, so it tells no slices.");
+  }
+  std::stable_sort(slices.begin(), slices.end(),
+    [](const ReferenceSlice& a, const ReferenceSlice& b) { return a.Offset < b.Offset; });
+  return slices;
 }
 }

@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The command line, from outside: what it writes, prints and returns, and one sentence for every failure."""
 import json
+import math
 import os
 import shutil
 import subprocess
 import sys
 
 import contourtesting as ct
+import readertesting as rt
 
 SCRIPT = os.path.join(ct.SOURCE, "Plugin", "commandline", "reconstruct.py")
 FOLDER = ct.output("command line")
@@ -78,6 +80,42 @@ ct.check(reader.GetOutput().GetNumberOfPolys() < with_points, "--set InternalPoi
 table = succeeds(ct.own("femur_head.csl"), "femur.vtp", "--method", "ism", "--set", "CellSize=2")
 row = [line for line in table.splitlines() if line.startswith("femur_head")][0].split()
 ct.check(row[1] == "11" and row[3:5] == ["yes", "yes"], f"11 contours give a closed manifold: {row}")
+
+# A ball drawn on 4 of 21 slices comes back on all that it reaches, beside the other regions of the structure set.
+def circle(radius, z):
+    return [x for i in range(40) for x in (radius * math.cos(i * math.pi / 20), radius * math.sin(i * math.pi / 20), z)]
+
+
+body = [("CLOSED_PLANAR", circle(60.0, 3.0 * i - 30), f"1.2.3.{i + 1}") for i in range(21)]
+ball = [("CLOSED_PLANAR", circle(math.sqrt(20.0 ** 2 - z ** 2), z)) for z in (-18.0, -6.0, 6.0, 18.0)]
+with open(os.path.join(FOLDER, "drawn.dcm"), "wb") as file:
+    file.write(rt.structure_set([(1, "Body", "EXTERNAL", "0\\255\\0", body), (2, "Ball", "PTV", None, ball)]))
+table = succeeds("drawn.dcm", "all.dcm", "--method", "ism", "--roi", "Ball", "--set", "StructureSetLabel=Balls")
+row = [line for line in table.splitlines() if line.startswith("Ball")][0].split()
+ct.check(row[1] == "4" and row[2] == row[3] and 12 <= int(row[2]) <= 14, f"4 contours on 12 to 14 slices: {row}")
+simple = ct.load_plugin()
+blocks = dict(rt.blocks(ct.data(simple.DICOMRTStructureSetReader(FileName=os.path.join(FOLDER, "all.dcm")))))
+ct.check(list(blocks) == ["Body", "Ball", "Ball (2)"], f"the ROIs are {list(blocks)}")
+traced = blocks["Ball (2)"]
+ct.check(traced.GetNumberOfCells() == int(row[2]), "the file has as many contours as the table")
+ct.check(all(abs(traced.GetPoint(i)[2] / 3 - round(traced.GetPoint(i)[2] / 3)) < 1e-9
+             for i in range(traced.GetNumberOfPoints())), "the contours lie on the slices")
+off = max(abs(math.dist(traced.GetPoint(i), (0, 0, 0)) - 20) for i in range(traced.GetNumberOfPoints())
+          if abs(traced.GetPoint(i)[2]) < 18.5)
+ct.check(off < 1.0, f"the contours are the ball's to {off} mm")
+ct.check(rt.strings(traced, "ROIType") == ["PTV"], "the type is kept")
+# Contours of any file, on planes that are told instead.
+succeeds(ct.own("femur_head.csl"), "femur.dcm", "--method", "ism", "--reference", "drawn.dcm", "--set", "Spacing=5",
+         "--set", "ROIName=Femur head", "--set", "CopyReferenceROIs=0")
+blocks = rt.blocks(ct.data(simple.DICOMRTStructureSetReader(FileName=os.path.join(FOLDER, "femur.dcm"))))
+ct.check([name for name, _ in blocks] == ["Femur head"], f"the ROIs are {[name for name, _ in blocks]}")
+fails("add --method ism", "drawn.dcm", "out.dcm")
+fails("give the RT structure set", brain, "out.dcm", "--method", "ism")
+fails("is read as well", "drawn.dcm", "drawn.dcm", "--method", "ism")
+fails("is read as well", brain, "drawn.dcm", "--method", "ism", "--reference", "drawn.dcm")
+fails("There is no file", brain, "out.dcm", "--method", "ism", "--reference", "absent.dcm")
+fails("--reference is for", brain, "out.vtp", "--reference", "drawn.dcm")
+fails("no property 'Nonsense'", "drawn.dcm", "out.dcm", "--method", "ism", "--set", "Nonsense=1")
 
 fails("There is no file", "nothing.cnt", "out.vtp")
 fails("cannot read '.xyz'", shutil.copy(brain, ct.output("brain.xyz")), "out.vtp")

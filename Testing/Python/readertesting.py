@@ -35,15 +35,20 @@ def element(group, number, value):
 
 
 def structure_set(rois, sop_class=RT_STRUCTURE_SET):
-    """A data set without preamble. rois: (number, name, type, colour or None, [(geometric type, [x, y, z, ...])])."""
+    """A data set without preamble. rois: (number, name, type, colour or None, [(geometric type, [x, y, z, ...])]).
+
+    A third entry of a contour is the instance UID of the CT image that it lies on.
+    """
     listed, contours, observations = [], [], []
     for number, name, roi_type, color, items in rois:
         listed.append(element(0x3006, 0x22, str(number)) + element(0x3006, 0x26, name))
         roi = element(0x3006, 0x2A, color) if color else b""
         if items:
             roi += element(0x3006, 0x40, [
+                b"".join(element(0x3006, 0x16, [element(0x0008, 0x1150, CT_IMAGE) + element(0x0008, 0x1155, uid)])
+                         for uid in image) +
                 element(0x3006, 0x42, kind) + element(0x3006, 0x46, str(len(data) // 3)) +
-                element(0x3006, 0x50, "\\".join(map(repr, data))) for kind, data in items])
+                element(0x3006, 0x50, "\\".join(map(repr, data))) for kind, data, *image in items])
         contours.append(roi + element(0x3006, 0x84, str(number)))
         observations.append(element(0x3006, 0x84, str(number)) + element(0x3006, 0xA4, roi_type))
     return (element(0x0008, 0x16, sop_class) + element(0x0008, 0x18, "1.2.3") +

@@ -398,5 +398,6 @@ TEST(BRepFileInvalid, NothingIsWrittenThatCannotBeReadBack)
   EXPECT_NE(failureOf(BRep(), fileName), "");
   EXPECT_NE(failureOf(BRep{ { BRepShellSet() } }, fileName), "");
   EXPECT_FALSE(IsBRep(fileName)) << "no file is left behind";
-  EXPECT_NE(failureOf(sound, "/no such folder/x.brep").find("there is no folder"), std::string::npos);
+  EXPECT_NE(
+    failureOf(sound, "/no such folder/x.brep").find("there is no folder"), std::string::npos);
 }

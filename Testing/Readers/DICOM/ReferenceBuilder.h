@@ -75,7 +75,7 @@ inline void FillReference(StructureSetBuilder& builder, const std::vector<int>& 
   }
 }
 
-/// A CT image without pixels.
+/// A CT image of 4 rows (2 mm) and 6 columns (0.5 mm), without its pixels.
 inline void SaveImage(const std::string& fileName, int slice, const std::string& series = "1.2.3.8")
 {
   DcmFileFormat file;
@@ -89,6 +89,9 @@ inline void SaveImage(const std::string& fileName, int slice, const std::string&
   StructureSetBuilder::Put(data, DCM_ImageOrientationPatient, "1\\0\\0\\0\\1\\0");
   StructureSetBuilder::Put(
     data, DCM_ImagePositionPatient, "-100\\-100\\" + std::to_string(SliceSpacing * slice));
+  StructureSetBuilder::Put(data, DCM_PixelSpacing, "2\\0.5");
+  data.putAndInsertUint16(DCM_Rows, 4);
+  data.putAndInsertUint16(DCM_Columns, 6);
   if (file.saveFile(fileName.c_str(), EXS_LittleEndianExplicit).bad())
   {
     throw std::runtime_error("no image");

@@ -161,6 +161,19 @@ write("open.dcm", source_of(corners, lines=[(0, 1, 2, 3)], types=["OPEN_PLANAR"]
 kinds = rt.blocks(ct.data(read("open.dcm")))[0][1].GetCellData().GetAbstractArray("GeometricType")
 ct.check(kinds.GetValue(0) == "OPEN_PLANAR", "a line that is meant to be open")
 
+# The planes that Implicit Contours wants, from the images that something is drawn on.
+with open(path("drawn.dcm"), "wb") as file:
+    file.write(rt.structure_set([(1, "Body", "EXTERNAL", None, [
+        ("CLOSED_PLANAR", [0.0, 0.0, z, 30.0, 0.0, z, 30.0, 20.0, z], f"1.2.3.{i}") for i, z in ((1, 5.0), (2, 2.5))])]))
+planes = simple.DICOMSlicePlanes(FileName=path("drawn.dcm"))
+output = ct.data(planes)
+uids = output.GetCellData().GetAbstractArray("SOPInstanceUID")
+ct.check([uids.GetValue(i) for i in range(2)] == ["1.2.3.2", "1.2.3.1"], "images by height")
+ct.check(output.GetBounds() == (-1, 31, -1, 21, 2.5, 5), f"rectangles around the contours: {output.GetBounds()}")
+rt.expect_error(simple.DICOMSlicePlanes(FileName=path("all.dcm")), "tells no slices", "no images")
+rt.expect_error(simple.DICOMSlicePlanes(FileName=path("absent.dcm")), "no such file", "absent")
+rt.expect_error(simple.DICOMSlicePlanes(), "set FileName", "no name")
+
 # Refusals: one sentence, no file.
 refused("does not close", source_of(corners, lines=[(0, 1, 2, 3)]))
 refused("is a surface", sphere)

@@ -5,6 +5,7 @@
 #include "DecimalString.h"
 #include "DICOMItem.h"
 #include "DICOMText.h"
+#include "ReferenceSlices.h"
 #include "StructureSetFormatter.h"
 
 #include <cmath>
@@ -356,6 +357,28 @@ TEST_F(StructureSetFormatter, ImagesMayBeTheReference)
   SaveImage(this->Name("images/other"), 7, "1.2.3.77");
   this->Write({ this->Stack({ 21 }) });
   EXPECT_EQ(this->ImagesOfLast(this->Load()), std::vector<std::string>{ "" });
+}
+
+TEST_F(StructureSetFormatter, ReferenceSlicesAreTheImagesByHeight)
+{
+  std::filesystem::create_directory(this->Name("images"));
+  for (const int slice : { 2, 0, 1 })
+  {
+    SaveImage(this->Name("images/" + std::to_string(9 - slice)), slice);
+  }
+  const std::vector<recon::ReferenceSlice> slices =
+    recon::ReadReferenceSlices(this->Name("images"), this->Monitor);
+  ASSERT_EQ(slices.size(), 3u);
+  for (int i = 0; i < 3; ++i)
+  {
+    EXPECT_EQ(slices[i].InstanceUID, ImageUID(i));
+    EXPECT_EQ(slices[i].Normal, (recon::Vector3{ 0, 0, 1 }));
+    const double z = SliceSpacing * i;
+    // 4 rows of 2 mm, 6 columns of 0.5 mm; the first pixel's centre is at -100, -100.
+    EXPECT_EQ(slices[i].Outline,
+      (std::array<recon::Point3, 4>{
+        { { -100.25, -101, z }, { -97.25, -101, z }, { -97.25, -93, z }, { -100.25, -93, z } } }));
+  }
 }
 
 TEST_F(StructureSetFormatter, ReplacesAFileThatIsThere)
