@@ -1,0 +1,612 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "FastKernelSum.h"
+
+#include "../Parallel.h"
+#include "KernelSumPlan.h"
+#include "KernelSums.h"
+#include "SubMonitor.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace recon
+{
+namespace
+{
+/// Centres up to which a box is not split: near and far then cost about the same.
+constexpr std::int32_t LeafCentres = 32;
+/// The first level with boxes that do not touch (of the root's own).
+constexpr int FirstFarLevel = 2;
+/// Orders are chosen by their root mean square error; of a few thousand centres the worst is this
+/// much larger (fewer centres, less averaging).
+constexpr double RmsOfLargest = 0.3;
+/// How much more error, relative to its own kernels, a level may make than the one above: they are
+/// an eighth as large. Less than 8, as weights of a contour's constraints cancel better in larger
+/// boxes (measured on fitted weights: a factor of 3 to 10 in what levels contribute at one order).
+constexpr double ErrorGrowth = 5;
+/// Leaves, or parents, that a thread takes at a time.
+constexpr int BoxesPerPiece = 32;
+
+constexpr const char* Stage = "summing kernels";
+
+/// Expansions of all boxes of a tree, one after the other; their length goes with the level.
+class Expansions
+{
+public:
+  void Reset(const KernelOctree& tree, const std::vector<int>& orderOfLevel)
+  {
+    this->Start.assign(1, 0);
+    for (const OctreeBox& box : tree.Boxes())
+    {
+      this->Start.push_back(this->Start.back() + CoefficientCount(orderOfLevel[box.Level]));
+    }
+    this->Values.assign(this->Start.back(), 0);
+  }
+  double* Of(std::int32_t box) { return this->Values.data() + this->Start[box]; }
+  const double* Of(std::int32_t box) const { return this->Values.data() + this->Start[box]; }
+
+private:
+  std::vector<std::size_t> Start;
+  std::vector<double> Values;
+};
+
+/// Up to ExpansionLanes translations by one operator, side by side.
+class Translator
+{
+public:
+  Translator(const SparseOperator& op, int fromOrder, int toOrder)
+    : Op(op),
+      From(ChebyshevOperators::OfOrder(fromOrder)),
+      To(ChebyshevOperators::OfOrder(toOrder)),
+      X(static_cast<std::size_t>(CoefficientCount(fromOrder)) * ExpansionLanes),
+      Y(static_cast<std::size_t>(CoefficientCount(toOrder)) * ExpansionLanes)
+  {
+  }
+
+  void Add(const double* from, double* to, int turn)
+  {
+    const Orientation& turned = this->From.Turned(turn);
+    const std::size_t count = turned.Source.size();
+    double* x = this->X.data() + this->Count;
+    for (std::size_t s = 0; s < count; ++s)
+    {
+      x[s * ExpansionLanes] = turned.Sign[s] * from[turned.Source[s]];
+    }
+    this->Targets[this->Count] = to;
+    this->TargetTurns[this->Count] = turn;
+    ++this->Count;
+  }
+
+  bool Full() const { return this->Count == ExpansionLanes; }
+
+  /// Adds scale times the results to their targets, in the order in which they came.
+  void Flush(double scale)
+  {
+    if (this->Count == 0)
+    {
+      return;
+    }
+    Apply(this->Op, this->X.data(), this->Y.data());
+    for (int b = 0; b < this->Count; ++b)
+    {
+      const Orientation& turned = this->To.Turned(this->TargetTurns[b]);
+      const std::size_t count = turned.Source.size();
+      const double* y = this->Y.data() + b;
+      double* to = this->Targets[b];
+      for (std::size_t s = 0; s < count; ++s)
+      {
+        to[turned.Source[s]] += scale * turned.Sign[s] * y[s * ExpansionLanes];
+      }
+    }
+    this->Count = 0;
+  }
+
+private:
+  const SparseOperator& Op;
+  const ChebyshevOperators& From;
+  const ChebyshevOperators& To;
+  std::vector<double> X;
+  std::vector<double> Y;
+  std::array<double*, ExpansionLanes> Targets{};
+  std::array<int, ExpansionLanes> TargetTurns{};
+  int Count = 0;
+};
+
+/// The axes on whose negative side of its parent a box lies.
+int SideOf(const OctreeBox& box)
+{
+  int side = 0;
+  for (int a = 0; a < 3; ++a)
+  {
+    side |= (box.Cell[a] & 1) == 0 ? 1 << a : 0;
+  }
+  return side;
+}
+
+/// Some points of a box side by side, in its own coordinates. The last one fills a short block.
+LanePoints LocalBlock(
+  const std::vector<Point3>& points, const OctreeBox& box, std::int32_t from, std::int32_t to)
+{
+  const Point3 centre = KernelOctree::CentreOf(box);
+  const double scale = 1 / KernelOctree::HalfWidthOf(box.Level);
+  LanePoints block;
+  for (int b = 0; b < ExpansionLanes; ++b)
+  {
+    const Point3& p = points[std::min(from + b, to - 1)];
+    block.X[b] = scale * (p[0] - centre[0]);
+    block.Y[b] = scale * (p[1] - centre[1]);
+    block.Z[b] = scale * (p[2] - centre[2]);
+  }
+  return block;
+}
+
+LanePoints UnitBlock(const std::vector<Point3>& points, std::int32_t from, std::int32_t to)
+{
+  LanePoints block;
+  for (int b = 0; b < ExpansionLanes; ++b)
+  {
+    const Point3& p = points[std::min(from + b, to - 1)];
+    block.X[b] = p[0];
+    block.Y[b] = p[1];
+    block.Z[b] = p[2];
+  }
+  return block;
+}
+
+/// Pieces side by side where they are worth a thread.
+template <typename Body>
+void ForPieces(std::size_t count, int perPiece, int threads, Monitor& monitor, const Body& body)
+{
+  const int pieces = static_cast<int>((count + perPiece - 1) / perPiece);
+  const auto run = [&](int piece)
+  {
+    const std::size_t from = static_cast<std::size_t>(piece) * perPiece;
+    body(from, std::min(count, from + perPiece));
+  };
+  if (pieces < 4)
+  {
+    for (int piece = 0; piece < pieces; ++piece)
+    {
+      run(piece);
+    }
+    return;
+  }
+  ParallelFor(pieces, threads, run, monitor, { 0, 1, Stage });
+}
+
+RootCube CubeAround(const std::vector<Point3>& centres)
+{
+  return RootCube::Around(centres);
+}
+}
+
+class FastKernelSum::Implementation
+{
+public:
+  Implementation(const std::vector<Point3>& centres, double accuracy, int threads)
+    : Threads(threads),
+      Given(centres),
+      Cube(CubeAround(centres)),
+      Tree(GrowTree(centres, this->Cube)),
+      Self(this->Tree),
+      Weights(centres.size(), 0)
+  {
+    this->SetAccuracy(accuracy);
+    for (const Point3& p : this->Tree.Points())
+    {
+      this->Sources.X.push_back(p[0]);
+      this->Sources.Y.push_back(p[1]);
+      this->Sources.Z.push_back(p[2]);
+    }
+    this->Sources.W.assign(centres.size(), 0);
+    this->UseOrders();
+  }
+
+  void SetAccuracy(double accuracy)
+  {
+    if (!(accuracy >= FinestAccuracy && accuracy <= CoarsestAccuracy))
+    {
+      throw Error("The accuracy of the fast sum must lie between 1e-13 and 1e-3.");
+    }
+    this->NextOrders.clear();
+    // Level 1 acts on targets beyond the root cube only.
+    double allowed = RmsOfLargest * accuracy / ErrorGrowth;
+    for (int level = 0; level <= KernelOctree::DeepestLevel; ++level)
+    {
+      this->NextOrders.push_back(ChebyshevOperators::OrderFor(allowed));
+      allowed *= level >= FirstFarLevel - 1 ? ErrorGrowth : 1;
+    }
+  }
+
+  void SetWeights(const std::vector<double>& weights, Monitor& monitor)
+  {
+    if (weights.size() != this->Weights.size())
+    {
+      throw Error("There are " + std::to_string(this->Weights.size()) + " centres but " +
+        std::to_string(weights.size()) + " weights: give every centre one weight.");
+    }
+    this->Weights = weights;
+    const std::vector<std::int32_t>& numbers = this->Tree.Numbers();
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+    {
+      this->Sources.W[i] = weights[numbers[i]];
+    }
+    this->UseOrders();
+    this->FillLeaves(monitor);
+    for (int level = this->Tree.Levels() - 2; level > 0; --level)
+    {
+      this->FillParents(level, monitor);
+    }
+  }
+
+  std::vector<double> ValuesAtCentres(Monitor& monitor) const
+  {
+    std::vector<double> values(this->Weights.size());
+    this->Sum(this->Self, values, nullptr, monitor);
+    return values;
+  }
+
+  void ValuesAt(const std::vector<Point3>& points, std::vector<double>& values,
+    std::vector<Vector3>* gradients, Monitor& monitor) const
+  {
+    values.assign(points.size(), 0);
+    if (gradients)
+    {
+      gradients->assign(points.size(), Vector3{ 0, 0, 0 });
+    }
+    if (this->Weights.empty())
+    {
+      return;
+    }
+    std::vector<std::size_t> within;
+    std::vector<std::size_t> beyond;
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+      (this->Cube.Reaches(points[i]) ? within : beyond).push_back(i);
+    }
+    this->SumBeyond(points, beyond, values, gradients, monitor);
+    if (beyond.empty())
+    {
+      const KernelSumPlan plan(this->Tree, points, this->Cube);
+      this->Sum(plan, values, gradients, monitor);
+      return;
+    }
+    std::vector<Point3> some;
+    for (const std::size_t i : within)
+    {
+      some.push_back(points[i]);
+    }
+    std::vector<double> someValues;
+    std::vector<Vector3> someGradients;
+    this->ValuesAt(some, someValues, gradients ? &someGradients : nullptr, monitor);
+    for (std::size_t k = 0; k < within.size(); ++k)
+    {
+      values[within[k]] = someValues[k];
+      if (gradients)
+      {
+        (*gradients)[within[k]] = someGradients[k];
+      }
+    }
+  }
+
+  double SampledError(const std::vector<double>& values, int samples) const
+  {
+    const std::size_t n = this->Weights.size();
+    const std::size_t step = std::max<std::size_t>(1, n / std::max(1, samples));
+    std::vector<std::size_t> which;
+    std::vector<Point3> points;
+    // Along the curve of the tree, so that all parts of space are met.
+    for (std::size_t i = step / 2; i < n; i += step)
+    {
+      which.push_back(this->Tree.Numbers()[i]);
+      points.push_back(this->Given[which.back()]);
+    }
+    const std::vector<double> exact = this->Exact(points);
+    double largest = 0;
+    for (std::size_t k = 0; k < which.size(); ++k)
+    {
+      const double error = std::abs(values[which[k]] - exact[k]);
+      largest = !(error <= largest) ? error : largest;
+    }
+    return largest;
+  }
+
+  std::size_t Size() const { return this->Weights.size(); }
+
+private:
+  static KernelOctree GrowTree(const std::vector<Point3>& centres, const RootCube& cube)
+  {
+    KernelOctree tree(centres, cube);
+    while (
+      tree.SplitLastLevel([&tree](int box) { return tree.Boxes()[box].Count() > LeafCentres; }))
+    {
+    }
+    return tree;
+  }
+
+  void UseOrders()
+  {
+    this->Orders = this->NextOrders;
+    this->Moments.Reset(this->Tree, this->Orders);
+  }
+
+  void FillLeaves(Monitor& monitor)
+  {
+    ForPieces(this->Self.Leaves().size(), BoxesPerPiece, this->Threads, monitor,
+      [&](std::size_t from, std::size_t to)
+      {
+        for (std::size_t i = from; i < to; ++i)
+        {
+          this->FillLeaf(this->Self.Leaves()[i]);
+        }
+      });
+  }
+
+  void FillLeaf(std::int32_t leaf)
+  {
+    const OctreeBox& box = this->Tree.Boxes()[leaf];
+    for (std::int32_t from = box.From; from < box.To; from += ExpansionLanes)
+    {
+      const std::int32_t to = std::min(box.To, from + ExpansionLanes);
+      Lane w{};
+      std::copy(this->Sources.W.begin() + from, this->Sources.W.begin() + to, w.begin());
+      AddMoments(this->Orders[box.Level], LocalBlock(this->Tree.Points(), box, from, to), w,
+        this->Moments.Of(leaf));
+    }
+  }
+
+  void FillParents(int level, Monitor& monitor)
+  {
+    const int begin = this->Tree.LevelBegin(level);
+    const int childOrder = this->Orders[level + 1];
+    const int order = this->Orders[level];
+    const SparseOperator& op = UpwardOperator(childOrder, order);
+    ForPieces(this->Tree.LevelEnd(level) - begin, BoxesPerPiece, this->Threads, monitor,
+      [&](std::size_t from, std::size_t to)
+      {
+        Translator up(op, childOrder, order);
+        for (std::size_t i = from; i < to; ++i)
+        {
+          const auto parent = static_cast<std::int32_t>(begin + i);
+          const OctreeBox& box = this->Tree.Boxes()[parent];
+          for (std::int32_t c = 0; c < box.Children; ++c)
+          {
+            const std::int32_t child = box.FirstChild + c;
+            up.Add(this->Moments.Of(child), this->Moments.Of(parent),
+              ChebyshevOperators::Reflection(SideOf(this->Tree.Boxes()[child])));
+            if (up.Full())
+            {
+              up.Flush(1);
+            }
+          }
+        }
+        up.Flush(1);
+      });
+  }
+
+  /// Far, down, and near, for one set of targets.
+  void Sum(const KernelSumPlan& plan, std::vector<double>& values, std::vector<Vector3>* gradients,
+    Monitor& monitor) const
+  {
+    Expansions local;
+    local.Reset(plan.Targets(), this->Orders);
+    this->AddFar(plan, local, monitor);
+    for (int level = 2; level < plan.Targets().Levels(); ++level)
+    {
+      this->PassDown(plan, level, local, monitor);
+    }
+    ForPieces(plan.Leaves().size(), BoxesPerPiece, this->Threads, monitor,
+      [&](std::size_t from, std::size_t to)
+      {
+        for (std::size_t i = from; i < to; ++i)
+        {
+          this->SumLeaf(plan, i, local, values, gradients);
+        }
+      });
+  }
+
+  void AddFar(const KernelSumPlan& plan, Expansions& local, Monitor& monitor) const
+  {
+    ForPieces(plan.Chunks().size(), 1, this->Threads, monitor,
+      [&](std::size_t c, std::size_t)
+      {
+        const FarChunk& chunk = plan.Chunks()[c];
+        const int order = this->Orders[chunk.Level];
+        const double h = KernelOctree::HalfWidthOf(chunk.Level);
+        const ChebyshevOperators& operators = ChebyshevOperators::OfOrder(order);
+        for (int k = 0; k < ChebyshevOperators::Classes; ++k)
+        {
+          Translator across(operators.FarField(k), order, order);
+          for (std::int32_t i = chunk.Start[k]; i < chunk.Start[k + 1]; ++i)
+          {
+            const FarPair& pair = plan.Pairs()[i];
+            across.Add(this->Moments.Of(pair.Source), local.Of(pair.Target), pair.Turn);
+            if (across.Full())
+            {
+              across.Flush(h * h * h);
+            }
+          }
+          across.Flush(h * h * h);
+        }
+      });
+  }
+
+  void PassDown(const KernelSumPlan& plan, int level, Expansions& local, Monitor& monitor) const
+  {
+    const KernelOctree& targets = plan.Targets();
+    const int begin = targets.LevelBegin(level);
+    const int parentOrder = this->Orders[level - 1];
+    const int order = this->Orders[level];
+    const SparseOperator& op = DownwardOperator(order, parentOrder);
+    ForPieces(targets.LevelEnd(level) - begin, BoxesPerPiece, this->Threads, monitor,
+      [&](std::size_t from, std::size_t to)
+      {
+        Translator down(op, parentOrder, order);
+        for (std::size_t i = from; i < to; ++i)
+        {
+          const auto child = static_cast<std::int32_t>(begin + i);
+          const OctreeBox& box = targets.Boxes()[child];
+          if (!plan.HasFar(box.Parent))
+          {
+            continue;
+          }
+          down.Add(
+            local.Of(box.Parent), local.Of(child), ChebyshevOperators::Reflection(SideOf(box)));
+          if (down.Full())
+          {
+            down.Flush(1);
+          }
+        }
+        down.Flush(1);
+      });
+  }
+
+  void SumLeaf(const KernelSumPlan& plan, std::size_t number, const Expansions& local,
+    std::vector<double>& values, std::vector<Vector3>* gradients) const
+  {
+    const std::int32_t leaf = plan.Leaves()[number];
+    const OctreeBox& box = plan.Targets().Boxes()[leaf];
+    const std::vector<Point3>& points = plan.Targets().Points();
+    for (std::int32_t from = box.From; from < box.To; from += ExpansionLanes)
+    {
+      const std::int32_t to = std::min(box.To, from + ExpansionLanes);
+      Lane value{};
+      LanePoints gradient;
+      if (plan.HasFar(leaf))
+      {
+        this->Expand(box, local.Of(leaf), LocalBlock(points, box, from, to), value,
+          gradients ? &gradient : nullptr);
+      }
+      const LanePoints at = UnitBlock(points, from, to);
+      const SourceRange* near = plan.NearBegin(number);
+      const std::size_t count = plan.NearCount(number);
+      gradients ? AddNearGradients(this->Sources, near, count, at, value, gradient)
+                : AddNearValues(this->Sources, near, count, at, value);
+      this->Store(plan, from, to, value, gradient, values, gradients);
+    }
+  }
+
+  void Expand(const OctreeBox& box, const double* local, const LanePoints& at, Lane& value,
+    LanePoints* gradient) const
+  {
+    const int order = this->Orders[box.Level];
+    if (!gradient)
+    {
+      ExpandValues(order, local, at, value);
+      return;
+    }
+    ExpandGradients(order, local, at, value, *gradient);
+    const double scale = 1 / KernelOctree::HalfWidthOf(box.Level);
+    for (int b = 0; b < ExpansionLanes; ++b)
+    {
+      gradient->X[b] *= scale;
+      gradient->Y[b] *= scale;
+      gradient->Z[b] *= scale;
+    }
+  }
+
+  /// Back from the unit cube: s has the third power of its size, its gradient the second.
+  void Store(const KernelSumPlan& plan, std::int32_t from, std::int32_t to, const Lane& value,
+    const LanePoints& gradient, std::vector<double>& values, std::vector<Vector3>* gradients) const
+  {
+    const double size2 = this->Cube.Size * this->Cube.Size;
+    for (std::int32_t i = from; i < to; ++i)
+    {
+      const std::int32_t number = plan.Targets().Numbers()[i];
+      const int b = i - from;
+      values[number] = size2 * this->Cube.Size * value[b];
+      if (gradients)
+      {
+        (*gradients)[number] = { size2 * gradient.X[b], size2 * gradient.Y[b],
+          size2 * gradient.Z[b] };
+      }
+    }
+  }
+
+  void SumBeyond(const std::vector<Point3>& points, const std::vector<std::size_t>& which,
+    std::vector<double>& values, std::vector<Vector3>* gradients, Monitor& monitor) const
+  {
+    ForPieces(which.size(), ExpansionLanes, this->Threads, monitor,
+      [&](std::size_t from, std::size_t to)
+      {
+        for (std::size_t k = from; k < to; ++k)
+        {
+          const std::size_t i = which[k];
+          SumKernels({}, this->Given, this->Weights, &points[i], 1, &values[i]);
+          if (gradients)
+          {
+            SumKernelGradients({}, this->Given, this->Weights, &points[i], 1, &(*gradients)[i]);
+          }
+        }
+      });
+  }
+
+  std::vector<double> Exact(const std::vector<Point3>& points) const
+  {
+    std::vector<double> sums(points.size());
+    Monitor silent;
+    ForPieces(points.size(), 8, this->Threads, silent,
+      [&](std::size_t from, std::size_t to)
+      { SumKernels({}, this->Given, this->Weights, &points[from], to - from, &sums[from]); });
+    return sums;
+  }
+
+  int Threads;
+  std::vector<Point3> Given;
+  RootCube Cube;
+  KernelOctree Tree;
+  KernelSumPlan Self;
+  std::vector<double> Weights; ///< in the order given
+  SourcePoints Sources;        ///< in the order of the tree
+  std::vector<int> NextOrders;
+  std::vector<int> Orders; ///< of each level
+  Expansions Moments;
+};
+
+FastKernelSum::FastKernelSum(const std::vector<Point3>& centres, double accuracy, int threads)
+  : Inside(std::make_unique<Implementation>(centres, accuracy, threads))
+{
+}
+
+FastKernelSum::~FastKernelSum() = default;
+FastKernelSum::FastKernelSum(FastKernelSum&&) noexcept = default;
+FastKernelSum& FastKernelSum::operator=(FastKernelSum&&) noexcept = default;
+
+std::size_t FastKernelSum::Size() const
+{
+  return this->Inside->Size();
+}
+
+void FastKernelSum::SetAccuracy(double accuracy)
+{
+  this->Inside->SetAccuracy(accuracy);
+}
+
+void FastKernelSum::SetWeights(const std::vector<double>& weights, Monitor& monitor)
+{
+  this->Inside->SetWeights(weights, monitor);
+}
+
+std::vector<double> FastKernelSum::ValuesAtCentres(Monitor& monitor)
+{
+  return this->Inside->ValuesAtCentres(monitor);
+}
+
+std::vector<double> FastKernelSum::Values(const std::vector<Point3>& points, Monitor& monitor) const
+{
+  std::vector<double> values;
+  this->Inside->ValuesAt(points, values, nullptr, monitor);
+  return values;
+}
+
+void FastKernelSum::ValuesAndGradients(const std::vector<Point3>& points,
+  std::vector<double>& values, std::vector<Vector3>& gradients, Monitor& monitor) const
+{
+  this->Inside->ValuesAt(points, values, &gradients, monitor);
+}
+
+double FastKernelSum::SampledError(const std::vector<double>& valuesAtCentres, int samples) const
+{
+  return this->Inside->SampledError(valuesAtCentres, samples);
+}
+}
