@@ -74,12 +74,13 @@ RECON_VERSIONS void Apply(const SparseOperator& op, const double* x, double* y)
 
 RECON_VERSIONS void AddMoments(int order, const LanePoints& at, const Lane& w, double* moments)
 {
+  const double* weights = w.data();
   ChebyshevValues x;
   ChebyshevValues y;
   ChebyshevValues z;
-  RECON_FILL_VALUES(x, at.X)
-  RECON_FILL_VALUES(y, at.Y)
-  RECON_FILL_VALUES(z, at.Z)
+  RECON_FILL_VALUES(x, at.X.data())
+  RECON_FILL_VALUES(y, at.Y.data())
+  RECON_FILL_VALUES(z, at.Z.data())
   for (int i = 0; i <= order; ++i)
   {
     for (int j = 0; i + j <= order; ++j)
@@ -87,7 +88,7 @@ RECON_VERSIONS void AddMoments(int order, const LanePoints& at, const Lane& w, d
       alignas(64) double wxy[L];
       for (int b = 0; b < L; ++b)
       {
-        wxy[b] = w[b] * x.T[i][b] * y.T[j][b];
+        wxy[b] = weights[b] * x.T[i][b] * y.T[j][b];
       }
       for (int k = 0; i + j + k <= order; ++k)
       {
@@ -115,9 +116,9 @@ RECON_VERSIONS void ExpandValues(int order, const double* local, const LanePoint
   ChebyshevValues x;
   ChebyshevValues y;
   ChebyshevValues z;
-  RECON_FILL_VALUES(x, at.X)
-  RECON_FILL_VALUES(y, at.Y)
-  RECON_FILL_VALUES(z, at.Z)
+  RECON_FILL_VALUES(x, at.X.data())
+  RECON_FILL_VALUES(y, at.Y.data())
+  RECON_FILL_VALUES(z, at.Z.data())
   alignas(64) double sum[L] = {};
   for (int i = 0; i <= order; ++i)
   {
@@ -171,15 +172,15 @@ RECON_VERSIONS void ExpandGradients(
   ChebyshevValues x;
   ChebyshevValues y;
   ChebyshevValues z;
-  RECON_FILL_VALUES(x, at.X)
-  RECON_FILL_VALUES(y, at.Y)
-  RECON_FILL_VALUES(z, at.Z)
+  RECON_FILL_VALUES(x, at.X.data())
+  RECON_FILL_VALUES(y, at.Y.data())
+  RECON_FILL_VALUES(z, at.Z.data())
   ChebyshevSlopes dx;
   ChebyshevSlopes dy;
   ChebyshevSlopes dz;
-  RECON_FILL_SLOPES(dx, x, at.X)
-  RECON_FILL_SLOPES(dy, y, at.Y)
-  RECON_FILL_SLOPES(dz, z, at.Z)
+  RECON_FILL_SLOPES(dx, x, at.X.data())
+  RECON_FILL_SLOPES(dy, y, at.Y.data())
+  RECON_FILL_SLOPES(dz, z, at.Z.data())
   alignas(64) double sum[4][L] = {};
   for (int i = 0; i <= order; ++i)
   {
@@ -225,20 +226,28 @@ RECON_VERSIONS void ExpandGradients(
 RECON_VERSIONS void AddNearValues(const SourcePoints& sources, const SourceRange* ranges,
   std::size_t count, const LanePoints& at, Lane& values)
 {
+
+  const double* ax = at.X.data();
+  const double* ay = at.Y.data();
+  const double* az = at.Z.data();
+  const double* sx = sources.X.data();
+  const double* sy = sources.Y.data();
+  const double* sz = sources.Z.data();
+  const double* weights = sources.W.data();
   alignas(64) double sum[L] = {};
   for (std::size_t r = 0; r < count; ++r)
   {
     for (std::int32_t j = ranges[r].From; j < ranges[r].To; ++j)
     {
-      const double cx = sources.X[j];
-      const double cy = sources.Y[j];
-      const double cz = sources.Z[j];
-      const double w = sources.W[j];
+      const double cx = sx[j];
+      const double cy = sy[j];
+      const double cz = sz[j];
+      const double w = weights[j];
       for (int b = 0; b < L; ++b)
       {
-        const double x = at.X[b] - cx;
-        const double y = at.Y[b] - cy;
-        const double z = at.Z[b] - cz;
+        const double x = ax[b] - cx;
+        const double y = ay[b] - cy;
+        const double z = az[b] - cz;
         const double r2 = x * x + y * y + z * z;
         sum[b] += w * (r2 * std::sqrt(r2));
       }
@@ -253,20 +262,27 @@ RECON_VERSIONS void AddNearValues(const SourcePoints& sources, const SourceRange
 RECON_VERSIONS void AddNearGradients(const SourcePoints& sources, const SourceRange* ranges,
   std::size_t count, const LanePoints& at, Lane& values, LanePoints& gradients)
 {
+  const double* ax = at.X.data();
+  const double* ay = at.Y.data();
+  const double* az = at.Z.data();
+  const double* sx = sources.X.data();
+  const double* sy = sources.Y.data();
+  const double* sz = sources.Z.data();
+  const double* weights = sources.W.data();
   alignas(64) double sum[4][L] = {};
   for (std::size_t r = 0; r < count; ++r)
   {
     for (std::int32_t j = ranges[r].From; j < ranges[r].To; ++j)
     {
-      const double cx = sources.X[j];
-      const double cy = sources.Y[j];
-      const double cz = sources.Z[j];
-      const double w = sources.W[j];
+      const double cx = sx[j];
+      const double cy = sy[j];
+      const double cz = sz[j];
+      const double w = weights[j];
       for (int b = 0; b < L; ++b)
       {
-        const double x = at.X[b] - cx;
-        const double y = at.Y[b] - cy;
-        const double z = at.Z[b] - cz;
+        const double x = ax[b] - cx;
+        const double y = ay[b] - cy;
+        const double z = az[b] - cz;
         const double r2 = x * x + y * y + z * z;
         const double wr = w * std::sqrt(r2);
         const double slope = 3 * wr;
