@@ -59,7 +59,9 @@ enum class HoleRule
 struct Level
 {
   PlanarFrame Frame;
-  double Offset = 0;         ///< along Frame.Normal
+  double Offset = 0; ///< along Frame.Normal
+  /// In-plane coordinates are whole multiples of it; 0: they are those of the input, as they are.
+  double Grid = 0;
   std::vector<int> Contours; ///< indices into ContourSet::Contours
   std::string HoleNote;      ///< a sentence: the rule that made the holes, and how they were drawn
 };

@@ -67,6 +67,7 @@ std::string Findings(const EvenOddCluster& cluster)
   add(cluster.OnEdge, "point", " on an edge");
   add(cluster.Cancelled, "edge", " walked more than once");
   add(cluster.Shared, "point", " passed again");
+  add(cluster.Merged, "point", " merged with another within rounding");
   return text.empty() ? text : text + ")";
 }
 
@@ -100,6 +101,7 @@ public:
     }
     const double tolerance = fraction * SizeOf(this->Soup);
     this->Rings = ChainRings(this->Soup, tolerance, this->Notes, this->Progress);
+    this->FindLargestCoordinate();
     const PlaneGrouping grouping = GroupByPlane(
       this->Soup, this->Rings, this->Options.Parallel, tolerance, this->Notes, this->Progress);
     this->Set.Parallel = grouping.Parallel;
@@ -138,7 +140,8 @@ private:
 
   void AddLevel(const PlaneOfRings& plane)
   {
-    PlanarRings rings = FlattenLevel(this->Soup, this->Rings, plane, this->Notes);
+    const double grid = PlanarGridOf(plane.Frame, this->Largest);
+    PlanarRings rings = FlattenLevel(this->Soup, this->Rings, plane, grid, this->Notes);
     HoleFindings found;
     found.ExclusiveOr = this->IsExclusiveOr(rings);
     const HoleRule rule = found.ExclusiveOr ? HoleRule::EvenOdd : this->Options.Holes;
@@ -173,6 +176,20 @@ private:
     }
     found.Swallowed = result.Swallowed.size();
     this->AddContours(plane, rings, result, rule, found);
+  }
+
+  void FindLargestCoordinate()
+  {
+    for (const Ring& ring : this->Rings)
+    {
+      for (int p : ring.Points)
+      {
+        for (double x : this->Soup.Points[Index(p)])
+        {
+          this->Largest = std::max(this->Largest, std::abs(x));
+        }
+      }
+    }
   }
 
   bool IsExclusiveOr(const PlanarRings& rings) const
@@ -282,6 +299,7 @@ private:
     Level level;
     level.Frame = plane.Frame;
     level.Offset = plane.Offset;
+    level.Grid = PlanarGridOf(plane.Frame, this->Largest);
     CountHoles(rings, origins, forest, found);
     level.HoleNote = DescribeHoles(rule, found);
     std::vector<int> pointMap(rings.Points.size(), -1);
@@ -329,6 +347,7 @@ private:
   ContourNotes Notes;
   std::set<int> ExclusiveOrSources;
   std::vector<Ring> Rings;
+  double Largest = 0; ///< coordinate of all planes, so that they have one grid
   ContourSet Set;
 };
 }

@@ -8,6 +8,7 @@
 #include <CGAL/Exact_rational.h>
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 #include <utility>
 
@@ -39,8 +40,9 @@ public:
     {
       const Point2& a = this->At(this->Edges[i].A);
       const Point2& b = this->At(this->Edges[i].B);
-      boxes.emplace_back(CGAL::Bbox_2(std::min(a[0], b[0]), std::min(a[1], b[1]),
-                           std::max(a[0], b[0]), std::max(a[1], b[1])),
+      const double near = NearlyTouching * LengthOf(this->Edges[i]);
+      boxes.emplace_back(CGAL::Bbox_2(std::min(a[0], b[0]) - near, std::min(a[1], b[1]) - near,
+                           std::max(a[0], b[0]) + near, std::max(a[1], b[1]) + near),
         static_cast<int>(i));
     }
     CGAL::box_self_intersection_d(boxes.begin(), boxes.end(),
@@ -52,11 +54,24 @@ public:
     std::sort(this->Found.Touches.begin(), this->Found.Touches.end(),
       [](const auto& x, const auto& y)
       { return std::tie(x.Edge, x.Vertex, x.Other) < std::tie(y.Edge, y.Vertex, y.Other); });
+    std::sort(this->Found.SamePlace.begin(), this->Found.SamePlace.end(),
+      [](const auto& x, const auto& y)
+      {
+        return std::tie(x.First, x.Second, x.FirstEdge, x.OtherEdge) <
+          std::tie(y.First, y.Second, y.FirstEdge, y.OtherEdge);
+      });
     return std::move(this->Found);
   }
 
 private:
   const Point2& At(int p) const { return this->Points[Index(p)]; }
+
+  double LengthOf(const PlanarEdge& e) const { return Distance(this->At(e.A), this->At(e.B)); }
+
+  static double Distance(const Point2& a, const Point2& b)
+  {
+    return std::hypot(b[0] - a[0], b[1] - a[1]);
+  }
 
   void Test(int i, int j)
   {
@@ -65,6 +80,10 @@ private:
     if (e.A == f.A || e.A == f.B || e.B == f.A || e.B == f.B)
     {
       this->TestFan(i, j);
+      return;
+    }
+    if (this->AreTwins(i, j) || this->NearlyTouch(i, j))
+    {
       return;
     }
     const Point2& a = this->At(e.A);
@@ -92,6 +111,54 @@ private:
     this->Touch(abd, i, j, f.B);
     this->Touch(cda, j, i, e.A);
     this->Touch(cdb, j, i, e.B);
+  }
+
+  bool AreTwins(int i, int j)
+  {
+    const PlanarEdge& e = this->Edges[Index(i)];
+    const PlanarEdge& f = this->Edges[Index(j)];
+    const double near = NearlyTouching * std::min(this->LengthOf(e), this->LengthOf(f));
+    bool any = false;
+    for (int p : { e.A, e.B })
+    {
+      for (int q : { f.A, f.B })
+      {
+        if (Distance(this->At(p), this->At(q)) <= near)
+        {
+          this->Found.SamePlace.push_back({ std::min(p, q), std::max(p, q), i, j });
+          any = true;
+        }
+      }
+    }
+    return any;
+  }
+
+  bool NearlyTouch(int i, int j)
+  {
+    const PlanarEdge& e = this->Edges[Index(i)];
+    const PlanarEdge& f = this->Edges[Index(j)];
+    const bool first = this->TouchIfNear(i, j, f.A);
+    const bool second = this->TouchIfNear(i, j, f.B);
+    const bool third = this->TouchIfNear(j, i, e.A);
+    const bool fourth = this->TouchIfNear(j, i, e.B);
+    return first || second || third || fourth;
+  }
+
+  bool TouchIfNear(int edge, int other, int vertex)
+  {
+    const PlanarEdge& e = this->Edges[Index(edge)];
+    const Point2& a = this->At(e.A);
+    const Point2 along{ this->At(e.B)[0] - a[0], this->At(e.B)[1] - a[1] };
+    const Point2 to{ this->At(vertex)[0] - a[0], this->At(vertex)[1] - a[1] };
+    const double length2 = along[0] * along[0] + along[1] * along[1];
+    const double forward = along[0] * to[0] + along[1] * to[1];
+    const double aside = along[0] * to[1] - along[1] * to[0];
+    if (forward <= 0 || forward >= length2 || std::abs(aside) > NearlyTouching * length2)
+    {
+      return false;
+    }
+    this->Found.Touches.push_back({ edge, other, vertex });
+    return true;
   }
 
   /// Two edges of one end point overlap where they leave it in the same direction.

@@ -12,6 +12,9 @@
 
 namespace recon
 {
+/// Share of an edge's length.
+constexpr double NearlyTouching = 1e-7;
+
 /// An edge between two points of a level.
 struct PlanarEdge
 {
@@ -35,14 +38,29 @@ struct EdgeConflicts
     int Other;  ///< the edge that ends there
     int Vertex; ///< the point
   };
+  /// End points of two edges are one place within rounding.
+  struct Twins
+  {
+    int First, Second;        ///< points, the smaller number first
+    int FirstEdge, OtherEdge; ///< edges that end there
+  };
   std::vector<Crossing> Crossings;
   std::vector<Touch> Touches;
+  std::vector<Twins> SamePlace;
 
-  bool Empty() const { return this->Crossings.empty() && this->Touches.empty(); }
+  bool Empty() const
+  {
+    return this->Crossings.empty() && this->Touches.empty() && this->SamePlace.empty();
+  }
 };
 
 /**
- * All of them, by exact predicates, in an order that does not depend on the search.
+ * All of them, in an order that does not depend on the search.
+ *
+ * Exact, but for edges without a common end point: what comes nearer than a ten millionth of their
+ * length (NearlyTouching) touches. Contours that touch in a plane that is tilted, or that were
+ * stored in single precision, no longer do to the last bit, and a triangulation of the slits
+ * between them would not end.
  *
  * Points have distinct coordinates, edges distinct pairs of end points.
  */

@@ -100,7 +100,15 @@ private:
       {
         return;
       }
-      this->Split(conflicts);
+      // Points that become one may undo what else was found.
+      if (conflicts.SamePlace.empty())
+      {
+        this->Split(conflicts);
+      }
+      else
+      {
+        this->Merge(conflicts.SamePlace);
+      }
     }
     throw Error("Contours cross in more places than double precision can tell apart.");
   }
@@ -175,6 +183,30 @@ private:
       this->Points.push_back(p);
     }
     return at->second;
+  }
+
+  /// The point that came first stands for its twins.
+  void Merge(const std::vector<EdgeConflicts::Twins>& twins)
+  {
+    DisjointSets places(this->Points.size());
+    for (const EdgeConflicts::Twins& t : twins)
+    {
+      const int loop = this->Edges[Index(t.FirstEdge)].Loop;
+      this->Mark(loop, this->Edges[Index(t.OtherEdge)].Loop);
+      this->Counts[Index(loop)].Merged += places.Find(t.First) != places.Find(t.Second) ? 1 : 0;
+      places.Join(t.First, t.Second);
+    }
+    std::vector<PlanarEdge> moved;
+    for (PlanarEdge e : this->Edges)
+    {
+      e.A = places.Find(e.A);
+      e.B = places.Find(e.B);
+      if (e.A != e.B)
+      {
+        moved.push_back(e);
+      }
+    }
+    this->Edges = std::move(moved);
   }
 
   void Split(const EdgeConflicts& conflicts)
@@ -302,6 +334,7 @@ private:
       cluster.OnEdge += this->Counts[l].OnEdge;
       cluster.Cancelled += this->Counts[l].Cancelled;
       cluster.Shared += this->Counts[l].Shared;
+      cluster.Merged += this->Counts[l].Merged;
       before[root].insert(CanonicalLoop(this->Loops[l]));
     }
     for (const EvenOddResult::Loop& loop : traced)
@@ -324,6 +357,7 @@ private:
     std::size_t OnEdge = 0;
     std::size_t Cancelled = 0;
     std::size_t Shared = 0;
+    std::size_t Merged = 0;
   };
 
   std::vector<Point2>& Points;

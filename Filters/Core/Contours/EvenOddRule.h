@@ -24,6 +24,7 @@ struct EvenOddCluster
   std::size_t OnEdge = 0;    ///< points found inside another edge
   std::size_t Cancelled = 0; ///< edges walked an even number of times
   std::size_t Shared = 0;    ///< points passed more than once
+  std::size_t Merged = 0;    ///< points that another stands for, as they are one within rounding
   std::size_t Results = 0;   ///< loops that came out
   bool Changed = false;      ///< false: they only touch in points, and are as they were
   const char* Rule = "even-odd";

@@ -4,6 +4,7 @@
 #include "LoopOrder.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <map>
 #include <numeric>
@@ -22,10 +23,11 @@ class Flattener
 {
 public:
   Flattener(const LoopSoup& soup, const std::vector<Ring>& rings, const PlaneOfRings& plane,
-    ContourNotes& notes)
+    double grid, ContourNotes& notes)
     : Soup(soup),
       Rings(rings),
       Plane(plane),
+      Grid(grid),
       Notes(notes)
   {
   }
@@ -59,7 +61,7 @@ private:
     at.reserve(input.size());
     for (int p : input)
     {
-      at.push_back(this->Plane.Frame.ToPlane(this->Soup.Points[Index(p)]));
+      at.push_back(SnapToGrid(this->Plane.Frame.ToPlane(this->Soup.Points[Index(p)]), this->Grid));
     }
     const std::vector<std::size_t> first = FirstOfEqual(at);
     std::vector<int> numbers(input.size());
@@ -122,15 +124,33 @@ private:
   const LoopSoup& Soup;
   const std::vector<Ring>& Rings;
   const PlaneOfRings& Plane;
+  double Grid;
   ContourNotes& Notes;
   PlanarRings Flat;
   std::map<std::vector<int>, int> Seen;
 };
 }
 
-PlanarRings FlattenLevel(const LoopSoup& soup, const std::vector<Ring>& rings,
-  const PlaneOfRings& plane, ContourNotes& notes)
+Point2 SnapToGrid(const Point2& p, double grid)
 {
-  return Flattener(soup, rings, plane, notes).Flatten();
+  return grid == 0 ? p : Point2{ grid * std::round(p[0] / grid), grid * std::round(p[1] / grid) };
+}
+
+double PlanarGridOf(const PlanarFrame& frame, double largest)
+{
+  const auto isAxis = [](const Vector3& v) { return std::count(v.begin(), v.end(), 0.0) == 2; };
+  if (largest == 0 || (isAxis(frame.U) && isAxis(frame.V)))
+  {
+    return 0;
+  }
+  int exponent = 0;
+  std::frexp(largest, &exponent);
+  return std::ldexp(1.0, exponent - 40);
+}
+
+PlanarRings FlattenLevel(const LoopSoup& soup, const std::vector<Ring>& rings,
+  const PlaneOfRings& plane, double grid, ContourNotes& notes)
+{
+  return Flattener(soup, rings, plane, grid, notes).Flatten();
 }
 }

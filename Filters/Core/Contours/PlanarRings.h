@@ -23,12 +23,28 @@ struct PlanarRings
   std::vector<int> Rings; ///< a loop: the ring it is
 };
 
+/// The nearest multiple of grid, or p itself where grid is 0.
+Point2 SnapToGrid(const Point2& p, double grid);
+
 /**
- * Projects a level; loops that are nothing any more, and all but the first of equal ones, are named
- * in notes.
+ * The grid of a frame's in-plane coordinates, for points of coordinates up to `largest`.
+ *
+ * A tilted frame rounds: points that lie above one another no longer do, and edges that are
+ * parallel turn a little, so that tetrahedra come about which are as flat as the rounding and turn
+ * over on the way back to space. A grid that is coarse beside rounding and fine beside anything
+ * drawn (1e-12 of the coordinates) makes such points equal again, and what is not flat thick
+ * enough.
+ *
+ * @returns 0 for frames of coordinate axes, which round nothing.
+ */
+double PlanarGridOf(const PlanarFrame& frame, double largest);
+
+/**
+ * Projects a level on its grid; loops that are nothing any more, and all but the first of equal
+ * ones, are named in notes.
  */
 PlanarRings FlattenLevel(const LoopSoup& soup, const std::vector<Ring>& rings,
-  const PlaneOfRings& plane, ContourNotes& notes);
+  const PlaneOfRings& plane, double grid, ContourNotes& notes);
 }
 
 #endif

@@ -37,11 +37,12 @@ bool IsLifted(const std::vector<double>& heights, int point)
 }
 }
 
-Coverage FindCoverage(
-  const LevelTriangulation& level, const SlabTetrahedra* below, const SlabTetrahedra* above)
+Coverage FindCoverage(const LevelTriangulation& level, const SlabTetrahedra* below,
+  const SlabTetrahedra* above, bool extrudeIsolated)
 {
   const int count = static_cast<int>(level.Triangles.size());
   Coverage coverage;
+  coverage.ExtrudesIsolated = extrudeIsolated;
   coverage.Covered.assign(count, 0);
   coverage.Isolated.assign(count, 0);
   coverage.Ends.assign(count, 0);

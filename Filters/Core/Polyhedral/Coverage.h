@@ -21,17 +21,25 @@ namespace recon
 {
 struct Coverage
 {
+  bool ExtrudesIsolated = false; ///< isolated regions are part of the surface, too
   /// A triangle: LevelTriangulation::AskedByType bits of the sides on which its T1 or T2 is kept.
   std::vector<unsigned char> Covered;
   std::vector<unsigned char> Isolated; ///< a triangle of IR: no triangle of its region is covered
   /// A triangle of IR: LevelTriangulation::AskedByType bits of the sides on which no solid leaves
   /// its region, so that it ends there.
   std::vector<unsigned char> Ends;
+
+  /// A triangle of IR that the surface must have some solid at.
+  bool MustCover(int triangle) const
+  {
+    return this->ExtrudesIsolated || !this->Isolated[static_cast<std::size_t>(triangle)];
+  }
 };
 
 /// below, above: the slabs next to the level, null at the ends.
-Coverage FindCoverage(
-  const LevelTriangulation& level, const SlabTetrahedra* below, const SlabTetrahedra* above);
+/// extrudeIsolated: regions that no solid touches stay, as slices.
+Coverage FindCoverage(const LevelTriangulation& level, const SlabTetrahedra* below,
+  const SlabTetrahedra* above, bool extrudeIsolated);
 
 /**
  * Points that would cover the bare triangles of regions that are not isolated: the middles of their

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "LevelTriangulation.h"
 
+#include "../Contours/PlanarRings.h"
 #include "../Monitor.h"
 #include "PolyhedralSurface.h"
 
@@ -438,8 +439,9 @@ void LevelTriangulator::AddInternalPoints(
 {
   auto& impl = *this->Impl;
   std::vector<Kernel::Point_2> points;
-  for (const Point2& p : candidates)
+  for (const Point2& candidate : candidates)
   {
+    const Point2 p = SnapToGrid(candidate, impl.OfLevel.Grid);
     points.emplace_back(p[0], p[1]);
   }
   CGAL::spatial_sort(points.begin(), points.end());

@@ -215,7 +215,8 @@ private:
           // Added points cut contour edges but do not move them.
           this->Distances[i] = std::make_unique<PlanarContourDistance>(level);
         }
-        this->Out.Coverages[i] = FindCoverage(level, this->SlabOrNull(i - 1), this->SlabOrNull(i));
+        this->Out.Coverages[i] = FindCoverage(level, this->SlabOrNull(i - 1), this->SlabOrNull(i),
+          this->Options.IsolatedContours == PolyhedralOptions::Extrude);
       });
     const auto targets = [&](int level, int neighbour)
     {
@@ -351,14 +352,17 @@ private:
       });
   }
 
-  /// Contours of isolated regions are not part of the surface and are named.
+  /**
+   * Contours of isolated regions are not part of the surface and are named. A contour that touches
+   * another or is touched by its holes may bound several regions, some of which are.
+   */
   void ReportContoursLeftOut()
   {
     if (this->Options.IsolatedContours == PolyhedralOptions::Extrude)
     {
       return;
     }
-    std::vector<unsigned char> leftOut(this->Contours.Contours.size(), 0);
+    std::vector<unsigned char> bounds(this->Contours.Contours.size(), 0);
     for (int i = 0; i < this->LevelCount; ++i)
     {
       const auto& level = this->Out.Triangulations[i];
@@ -366,27 +370,39 @@ private:
       {
         for (int contour : level.EdgeContour[t])
         {
-          if (contour >= 0 && this->Out.Coverages[i].Isolated[t])
+          if (contour >= 0 && level.Inside[t])
           {
-            leftOut[contour] = 1;
+            bounds[contour] |= this->Out.Coverages[i].Isolated[t] ? Isolated : Kept;
           }
         }
       }
     }
-    for (std::size_t c = 0; c < leftOut.size(); ++c)
+    for (std::size_t c = 0; c < bounds.size(); ++c)
     {
-      if (leftOut[c])
+      if (bounds[c] & Isolated)
       {
-        const Contour& contour = this->Contours.Contours[c];
-        std::ostringstream line;
-        line << "Contour " << c << " (level " << contour.Level << ", offset "
-             << this->Contours.Levels[contour.Level].Offset << ", " << contour.Points.size()
-             << " points): left out, as it is joined to no contour of the levels next to it; set "
-                "IsolatedContours to Extrude to keep it as a slice.";
-        this->Out.Report.push_back(line.str());
+        this->ReportContourLeftOut(static_cast<int>(c), (bounds[c] & Kept) != 0);
       }
     }
   }
+
+  void ReportContourLeftOut(int c, bool inPart)
+  {
+    const Contour& contour = this->Contours.Contours[c];
+    std::ostringstream line;
+    line << "Contour " << c << " (level " << contour.Level << ", offset "
+         << this->Contours.Levels[contour.Level].Offset << ", " << contour.Points.size()
+         << " points): left out"
+         << (inPart ? " in part, as it bounds several regions that only touch and one of them is "
+                      "joined to no contour of the levels next to it"
+                    : ", as it is joined to no contour of the levels next to it")
+         << "; set IsolatedContours to Extrude to keep it as a slice.";
+    this->Out.Report.push_back(line.str());
+  }
+
+  /// What a contour bounds, as bits.
+  static constexpr unsigned char Kept = 1;
+  static constexpr unsigned char Isolated = 2;
 
   const ContourSet& Contours;
   const PolyhedralOptions& Options;

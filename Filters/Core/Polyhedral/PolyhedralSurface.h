@@ -54,6 +54,9 @@ struct PolyhedralOptions
  * The boundary of the solid that the kept tetrahedra fill: closed, oriented outward, edge- and
  * vertex-manifold by index, not crossing itself. Every contour vertex that is not named in Report
  * is a point of it, to the last bit.
+ *
+ * In planes that are not perpendicular to an axis, where the points of regular shapes are in line
+ * up to rounding only, sheets that touch in a common plane may cross by that rounding.
  */
 struct PolyhedralSurface
 {
@@ -70,7 +73,9 @@ struct PolyhedralSurface
   };
 
   TriangleMesh Mesh;
-  std::vector<int> Slab; ///< a triangle: number of the slab it bounds, 0 = between levels 0 and 1
+  /// A triangle: number of the slab it bounds, 0 = between levels 0 and 1; -1 and the number of
+  /// slabs are caps that stand out below the first and above the last level.
+  std::vector<int> Slab;
   std::vector<int> FaceKind; ///< a triangle: FaceKindType
   std::vector<int>
     MappingGroup;             ///< a triangle: number of the group of contours that its slab joins

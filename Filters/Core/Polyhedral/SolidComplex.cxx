@@ -173,10 +173,10 @@ private:
                                                  : SolidComplex::BetweenLevels;
   }
 
-  /// A triangle of IR belongs to the solid's closure but for isolated regions.
+  /// A triangle of IR belongs to the solid's closure but for isolated regions that are dropped.
   bool MustCover(int level, int t) const
   {
-    return this->Levels[level].Triangulation->Inside[t] && !this->Coverages[level].Isolated[t];
+    return this->Levels[level].Triangulation->Inside[t] && this->Coverages[level].MustCover(t);
   }
 
   /// Position in a gap cell of corner k of its triangle: one below the plane is the mirror image.
@@ -287,7 +287,9 @@ private:
     const auto& top = this->Complex.Vertices[apex];
     const auto& triangulation = *this->Levels[level].Triangulation;
     const auto& corners = triangulation.Triangles[t];
-    Cell cell{ {}, { { -1, -1, -1, -1 } }, slab, SolidComplex::BetweenLevels };
+    const auto part =
+      this->Coverages[level].Isolated[t] ? SolidComplex::Isolated : SolidComplex::BetweenLevels;
+    Cell cell{ {}, { { -1, -1, -1, -1 } }, slab, part };
     Point2 centroid{ { 0, 0 } };
     for (int k = 0; k < 3; ++k)
     {

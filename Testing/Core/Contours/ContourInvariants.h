@@ -209,8 +209,10 @@ inline void CheckLevel(const ContourSet& set, int number, double tolerance)
     places.insert(set.Planar[At(p)]);
     EXPECT_NEAR(f.OffsetOf(set.Points[At(p)]), level.Offset, tolerance);
     const Point2 planar = f.ToPlane(set.Points[At(p)]);
-    EXPECT_NEAR(planar[0], set.Planar[At(p)][0], 1e-9 * (1 + std::abs(planar[0])));
-    EXPECT_NEAR(planar[1], set.Planar[At(p)][1], 1e-9 * (1 + std::abs(planar[1])));
+    for (std::size_t k = 0; k < 2; ++k)
+    {
+      EXPECT_NEAR(planar[k], set.Planar[At(p)][k], level.Grid + 1e-9 * (1 + std::abs(planar[k])));
+    }
   }
   EXPECT_EQ(places.size(), used.size()) << "two points of a level have equal planar coordinates";
   EXPECT_TRUE(EdgesAreClean(set, level));

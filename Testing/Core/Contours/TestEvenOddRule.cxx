@@ -3,7 +3,6 @@
 #include "ContourInvariants.h"
 #include "SoupMaker.h"
 
-
 using namespace recon;
 using namespace recon::testing;
 
@@ -185,6 +184,30 @@ TEST(EvenOddRule, WhatVanishesIsNamed)
     Reports(set, "Contours of cells 0 and 2 (9 points, at offset 0): cancel one another"));
 }
 
+TEST(EvenOddRule, NeighboursApartByRoundingMerge)
+{
+  // The second square's corners are the last bit off the first one's border, its other side whole.
+  const double off = 4 + 1e-15;
+  const ContourSet set = SoupMaker()
+                           .Loop(Rectangle(0, 0, 4, 4))
+                           .Loop({ { off, 1 }, { 8, 1 }, { 8, 4 + 1e-15 }, { off, 4 - 1e-15 } })
+                           .Build();
+  CheckContourSet(set, 0);
+  ASSERT_EQ(set.Contours.size(), 1u);
+  EXPECT_NEAR(SolidArea(set), 28, 1e-12);
+  EXPECT_TRUE(Reports(set, "1 point merged with another within rounding"));
+  EXPECT_TRUE(Reports(set, "1 point on an edge"));
+}
+
+TEST(EvenOddRule, SlitsThatAreDrawnStay)
+{
+  const ContourSet set =
+    SoupMaker().Loop(Rectangle(0, 0, 4, 4)).Loop(Rectangle(4 + 1e-5, 0, 8, 4)).Build();
+  CheckContourSet(set, 0);
+  EXPECT_EQ(set.Contours.size(), 2u);
+  EXPECT_TRUE(set.Report.empty());
+}
+
 TEST(EvenOddRule, RandomStarsKeepTheirInside)
 {
   for (unsigned seed = 1; seed <= 60; ++seed)
@@ -294,8 +317,8 @@ TEST(EvenOddRule, SliversOfNearlyEqualContours)
 
 TEST(EvenOddRule, AHundredThousandPointsNestOrCrossAsTheyShould)
 {
-  // A star polygon and a circle that lies inside or crosses its 400 flanks, away from its points. The
-  // square of the points would run into the test's time limit.
+  // A star polygon and a circle that lies inside or crosses its 400 flanks, away from its points.
+  // The square of the points would run into the test's time limit.
   constexpr int n = 100000;
   std::vector<Point2> wave;
   for (int i = 0; i < n; ++i)

@@ -91,6 +91,63 @@ inline std::string NameOf(const ::testing::TestParamInfo<Case>& info)
   return name;
 }
 
+/// Every set of parallel planes.
+inline const Case AllCases[] = {
+  { "rtstruct/cerr_ibsi.dcm", 1 },
+  { "rtstruct/rtutils_keyholes.dcm", 4 },
+  { "rtstruct/rtutils_single_slice_hole.dcm", 0 },
+  { "rtstruct/pydicom_no_preamble_points.dcm", 1 },
+  { "rtstruct/template_no_contour_data.dcm", 0 },
+  { "rtstruct/phantoms/Sphere_10_0.dcm", 1 },
+  { "rtstruct/phantoms/Sphere_20_0.dcm", 1 },
+  { "rtstruct/phantoms/Sphere_30_0.dcm", 1 },
+  { "rtstruct/phantoms/Cone_10_0.dcm", 1 },
+  { "rtstruct/phantoms/Cone_20_0.dcm", 1 },
+  { "rtstruct/phantoms/Cone_30_0.dcm", 1 },
+  { "rtstruct/phantoms/Cylinder_10_0.dcm", 1 },
+  { "rtstruct/phantoms/Cylinder_20_0.dcm", 1 },
+  { "rtstruct/phantoms/Cylinder_30_0.dcm", 1 },
+  { "rtstruct/phantoms/RtCone_10_0.dcm", 1 },
+  { "rtstruct/phantoms/RtCone_20_0.dcm", 1 },
+  { "rtstruct/phantoms/RtCone_30_0.dcm", 1 },
+  { "rtstruct/phantoms/RtCylinder_10_0.dcm", 1 },
+  { "rtstruct/phantoms/RtCylinder_20_0.dcm", 1 },
+  { "rtstruct/phantoms/RtCylinder_30_0.dcm", 1 },
+  { "cnt/manytomany.cnt", 1 },
+  { "cnt/frog_label3.cnt", 1 },
+  { "cnt/spl_left_hippocampus.cnt", 1 },
+  { "csl/eight_15.csl", 1 },
+  { "csl/hand_ok.csl", 1 },
+  { "csl/balloondog.csl", 1 },
+  { "csl/SideBishop.csl", 1 },
+  { "csl/rose.csl", 1 },
+  { "rtstruct/dicompyler_rtss.dcm", 9 },
+  { "rtstruct/dicomexport_rs.dcm", 11 },
+  { "rtstruct/pyorthanc_cone_02mm.dcm", 1 },
+  { "cnt/amygdala_label3.cnt", 1 },
+  { "cnt/sainthelens_100m.cnt", 1 },
+  { "cnt/sainthelens_unequal.cnt", 1 },
+};
+
+/// Networks and sections of several directions: the planes of the commonest direction are taken.
+inline const Case NetworkCases[] = {
+  { "csl/armadillo.csl", 1 },
+  { "csl/armadillo_simplified_from_mesh.csl", 1 },
+  { "csl/Heart-25-even-better.csl", 1 },
+  { "csl/Skull-20.csl", 1 },
+  { "csl/Vetebrae.csl", 1 },
+  { "contour/ctrmapping.contour", 1 },
+  { "contour/eight_15.contour", 1 },
+  { "contour/inconsistent_Bermano.contour", 0 },
+  { "contour/inconsistent_ferretbrain.contour", 1 },
+  { "contour/inconsistent_mousebrain.contour", 3 },
+  { "contour/inconsistent_newliver.contour", 1 },
+  { "contour/liver.contour", 0 },
+  { "contour/mousebrain.contour", 3 },
+  { "contour/mug.contour", 1 },
+  { "contour/ringc.contour", 0 },
+};
+
 class PolyhedralSweep : public ::testing::TestWithParam<Case>
 {
 protected:
@@ -105,6 +162,27 @@ protected:
 
   std::string Path;
 };
+
+/// What the user chooses about joins and ends, every combination that gives a closed surface.
+inline void ExpectAllCombinations(const ContourSet& contours)
+{
+  for (const auto mapping : { PolyhedralOptions::Proximity, PolyhedralOptions::Overlap })
+  {
+    for (const auto caps :
+      { PolyhedralOptions::Flat, PolyhedralOptions::HalfSlice, PolyhedralOptions::Tapered })
+    {
+      for (const auto isolated : { PolyhedralOptions::Drop, PolyhedralOptions::Extrude })
+      {
+        PolyhedralOptions options;
+        options.Mapping = mapping;
+        options.EndCaps = caps;
+        options.IsolatedContours = isolated;
+        SCOPED_TRACE(Describe(options));
+        ExpectKeepsPromisesOrIsEmpty(BuildSurface(contours, options), contours);
+      }
+    }
+  }
+}
 
 inline void ExpectAllOptions(const ContourSet& contours)
 {

@@ -77,7 +77,7 @@ TEST(PolyhedralSurfaceInvalid, NothingButContoursThatFaceNothing)
   const PolyhedralSurface surface = BuildSurface(contours);
   if (surface.Mesh.Triangles.empty())
   {
-    EXPECT_EQ(ContoursLeftOut(surface).size(), 2u);
+    EXPECT_EQ(ContoursLeftOut(surface).Wholly.size(), 2u);
   }
   else
   {

@@ -15,41 +15,18 @@ class PolyhedralOptionsSweep : public PolyhedralSweep
 {
 };
 
-const Case AllCases[] = {
-  { "rtstruct/cerr_ibsi.dcm", 1 },
+class PolyhedralCombinations : public PolyhedralSweep
+{
+};
+
+/// TestPolyhedralCombinationsSlow has all.
+const Case FewCases[] = {
   { "rtstruct/rtutils_keyholes.dcm", 4 },
-  { "rtstruct/rtutils_single_slice_hole.dcm", 0 },
-  { "rtstruct/pydicom_no_preamble_points.dcm", 1 },
-  { "rtstruct/template_no_contour_data.dcm", 0 },
-  { "rtstruct/phantoms/Sphere_10_0.dcm", 1 },
-  { "rtstruct/phantoms/Sphere_20_0.dcm", 1 },
-  { "rtstruct/phantoms/Sphere_30_0.dcm", 1 },
-  { "rtstruct/phantoms/Cone_10_0.dcm", 1 },
-  { "rtstruct/phantoms/Cone_20_0.dcm", 1 },
-  { "rtstruct/phantoms/Cone_30_0.dcm", 1 },
-  { "rtstruct/phantoms/Cylinder_10_0.dcm", 1 },
-  { "rtstruct/phantoms/Cylinder_20_0.dcm", 1 },
-  { "rtstruct/phantoms/Cylinder_30_0.dcm", 1 },
-  { "rtstruct/phantoms/RtCone_10_0.dcm", 1 },
-  { "rtstruct/phantoms/RtCone_20_0.dcm", 1 },
   { "rtstruct/phantoms/RtCone_30_0.dcm", 1 },
-  { "rtstruct/phantoms/RtCylinder_10_0.dcm", 1 },
-  { "rtstruct/phantoms/RtCylinder_20_0.dcm", 1 },
-  { "rtstruct/phantoms/RtCylinder_30_0.dcm", 1 },
   { "cnt/manytomany.cnt", 1 },
-  { "cnt/frog_label3.cnt", 1 },
-  { "cnt/spl_left_hippocampus.cnt", 1 },
   { "csl/eight_15.csl", 1 },
   { "csl/hand_ok.csl", 1 },
-  { "csl/balloondog.csl", 1 },
-  { "csl/SideBishop.csl", 1 },
-  { "csl/rose.csl", 1 },
-  { "rtstruct/dicompyler_rtss.dcm", 9 },
-  { "rtstruct/dicomexport_rs.dcm", 11 },
-  { "rtstruct/pyorthanc_cone_02mm.dcm", 1 },
-  { "cnt/amygdala_label3.cnt", 1 },
-  { "cnt/sainthelens_100m.cnt", 1 },
-  { "cnt/sainthelens_unequal.cnt", 1 },
+  { "contour/mousebrain.contour", 3 },
 };
 
 /// Small enough to try all options; TestPolyhedralSweepSlow has the others.
@@ -86,6 +63,12 @@ TEST_P(PolyhedralOptionsSweep, HoldsForEveryOption)
   EXPECT_EQ(ForEachSolid(this->Path, ExpectAllOptions), GetParam().Solids);
 }
 
+TEST_P(PolyhedralCombinations, KeepPromises)
+{
+  EXPECT_EQ(ForEachSolid(this->Path, ExpectAllCombinations), GetParam().Solids);
+}
+
+INSTANTIATE_TEST_SUITE_P(Data, PolyhedralCombinations, ::testing::ValuesIn(FewCases), NameOf);
 INSTANTIATE_TEST_SUITE_P(Data, PolyhedralSweep, ::testing::ValuesIn(AllCases), NameOf);
 INSTANTIATE_TEST_SUITE_P(Data, PolyhedralOptionsSweep, ::testing::ValuesIn(OptionCases), NameOf);
 
