@@ -114,7 +114,7 @@ public:
     this->Context.Gap = spacing.Gaps[Index(slab)];
     this->Context.Spacing = spacing.Median;
     this->Context.MaximumGap = options.MaximumGap;
-    this->Context.TooWide = spacing.IsTooWide(Index(slab), options.MaximumGap);
+    this->Context.TooWide = mapping.IsGap[Index(slab)] != 0;
   }
 
   void Map()
@@ -311,6 +311,10 @@ ContourMapping BuildContourMapping(
   mapping.Report = std::move(overrides.Report);
 
   const Spacing spacing(contours);
+  for (std::size_t slab = 0; slab < spacing.Gaps.size(); ++slab)
+  {
+    mapping.IsGap.push_back(spacing.IsTooWide(slab, options.MaximumGap) ? 1 : 0);
+  }
   std::vector<SlabMapper> mappers;
   for (std::size_t slab = 0; slab < overrides.OfSlab.size(); ++slab)
   {

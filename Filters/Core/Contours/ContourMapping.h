@@ -90,6 +90,7 @@ struct ContourMapping
   std::vector<ContourJoin> Joins;
   /// By slab; every contour is in at most one group of the slab below it, and of that above.
   std::vector<MappingGroup> Groups;
+  std::vector<unsigned char> IsGap; ///< a slab: MaximumGap forbids to bridge it
   /// A sentence for every override that cannot be followed, and why.
   std::vector<std::string> Report;
 };

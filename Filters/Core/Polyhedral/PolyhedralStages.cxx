@@ -96,8 +96,7 @@ private:
     this->Out.Report = this->Out.Mapping.Report;
     for (int i = 0; i + 1 < this->LevelCount; ++i)
     {
-      this->Out.Joins[i].IsGap = this->Options.MaximumGap > 0 &&
-        this->Thickness(i) > this->Options.MaximumGap * this->MedianThickness();
+      this->Out.Joins[i].IsGap = this->Out.Mapping.IsGap[i] != 0;
       this->Out.Joins[i].AllByDefault = !overlap && !this->Out.Joins[i].IsGap;
     }
     for (const ContourJoin& join : this->Out.Mapping.Joins)
