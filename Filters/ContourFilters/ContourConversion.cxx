@@ -3,6 +3,7 @@
 
 #include "Monitor.h"
 
+#include "vtkAlgorithm.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
@@ -336,5 +337,35 @@ std::vector<std::string> GetReport(vtkDataObject* data)
     lines.push_back(const_cast<vtkStringArray*>(array)->GetValue(i));
   }
   return lines;
+}
+
+bool PassPoints(vtkAlgorithm* filter, vtkPolyData* input, vtkDataObject* output)
+{
+  auto* types =
+    vtkStringArray::SafeDownCast(input->GetCellData()->GetAbstractArray("GeometricType"));
+  if (!types || input->GetNumberOfCells() == 0 ||
+    input->GetNumberOfCells() != input->GetNumberOfVerts() ||
+    types->GetNumberOfValues() != input->GetNumberOfCells())
+  {
+    return false;
+  }
+  for (vtkIdType i = 0; i < types->GetNumberOfValues(); ++i)
+  {
+    if (types->GetValue(i) != "POINT")
+    {
+      return false;
+    }
+  }
+  auto* names = vtkStringArray::SafeDownCast(input->GetFieldData()->GetAbstractArray("ROIName"));
+  const std::string name = names && names->GetNumberOfValues() > 0
+    ? "Region \"" + std::string(names->GetValue(0)) + "\""
+    : std::string("The region");
+  const std::string sentence = name + " is points only, without a contour: nothing is made of it.";
+  output->GetFieldData()->PassData(input->GetFieldData());
+  std::vector<std::string> report = GetReport(input);
+  report.push_back(sentence);
+  SetReport(report, output);
+  vtkWarningWithObjectMacro(filter, << sentence);
+  return true;
 }
 }

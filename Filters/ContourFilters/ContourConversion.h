@@ -17,6 +17,7 @@
 #include <string>
 #include <vector>
 
+class vtkAlgorithm;
 class vtkDataObject;
 class vtkPolyData;
 
@@ -73,6 +74,15 @@ CONTOURFILTERS_EXPORT void ToPolyData(const TriangleMesh& mesh, vtkPolyData* out
 /// Field data `Report`: a string array, which replaces one that is there. None is written for no
 /// lines.
 CONTOURFILTERS_EXPORT void SetReport(const std::vector<std::string>& lines, vtkDataObject* data);
+
+/**
+ * Whether the input is a region of interest of a structure set that is points only (a marker, an
+ * isocentre): vertices of `GeometricType` POINT and nothing else. It has no contours, and must not
+ * stop the regions that have: the output is left empty, with the field data of the input, and the
+ * filter warns in one sentence. Vertices of other origin stay an error.
+ */
+[[nodiscard]] CONTOURFILTERS_EXPORT bool PassPoints(
+  vtkAlgorithm* filter, vtkPolyData* input, vtkDataObject* output);
 
 /// What SetReport wrote; empty where there is none.
 [[nodiscard]] CONTOURFILTERS_EXPORT std::vector<std::string> GetReport(vtkDataObject* data);

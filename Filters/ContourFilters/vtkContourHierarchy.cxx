@@ -39,6 +39,10 @@ int vtkContourHierarchy::RequestData(
     recon::PassInputFieldData(input, output);
     return 1;
   }
+  if (recon::PassPoints(this, input, output))
+  {
+    return 1;
+  }
   try
   {
     vtkContourMonitor monitor(this);

@@ -117,6 +117,11 @@ int vtkContourMapping::RequestData(
     recon::WriteJoins({}, joins);
     return 1;
   }
+  if (recon::PassPoints(this, input, output))
+  {
+    recon::WriteJoins({}, joins);
+    return 1;
+  }
   try
   {
     recon::ContourMappingOptions options;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkImplicitConstraints.h"
 
+#include "ContourConversion.h"
 #include "Implicit/ContourFit.h"
 #include "ImplicitData.h"
 #include "ImplicitOptions.h"
@@ -42,7 +43,7 @@ int vtkImplicitConstraints::RequestData(
       "Implicit Constraints needs contours as poly data: connect a contour reader or Slice.");
     return 0;
   }
-  if (recon::PassEmpty(input, output))
+  if (recon::PassEmpty(input, output) || recon::PassPoints(this, input, output))
   {
     return 1;
   }

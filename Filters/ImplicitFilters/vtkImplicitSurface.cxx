@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkImplicitSurface.h"
 
+#include "ContourConversion.h"
 #include "Implicit/ImplicitSurface.h"
 #include "ImplicitData.h"
 #include "ImplicitOptions.h"
@@ -37,7 +38,7 @@ int vtkImplicitSurface::RequestData(
       "Implicit Surface needs contours as poly data: connect a contour reader or Slice.");
     return 0;
   }
-  if (recon::PassEmpty(input, output))
+  if (recon::PassEmpty(input, output) || recon::PassPoints(this, input, output))
   {
     return 1;
   }

@@ -160,7 +160,7 @@ int vtkContourTriangulation::RequestData(
       "Contour Triangulation needs contours as poly data: connect a contour reader or Slice.");
     return 0;
   }
-  if (recon::PassEmptyInput(input, triangles))
+  if (recon::PassEmptyInput(input, triangles) || recon::PassPoints(this, input, triangles))
   {
     return 1;
   }

@@ -214,7 +214,7 @@ int vtkJointVoronoiDiagram::RequestData(
       "Joint Voronoi Diagram needs contours as poly data: connect a contour reader or Slice.");
     return 0;
   }
-  if (recon::PassEmptyInput(input, tetrahedra))
+  if (recon::PassEmptyInput(input, tetrahedra) || recon::PassPoints(this, input, tetrahedra))
   {
     return 1;
   }

@@ -126,7 +126,7 @@ int vtkPolyhedralSurface::RequestData(
       "Polyhedral Surface needs contours as poly data: connect a contour reader or Slice.");
     return 0;
   }
-  if (recon::PassEmptyInput(input, output))
+  if (recon::PassEmptyInput(input, output) || recon::PassPoints(this, input, output))
   {
     return 1;
   }

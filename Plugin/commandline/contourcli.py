@@ -143,7 +143,8 @@ class Contours:
 
     @property
     def empty(self):
-        return self.data is None or self.data.GetNumberOfCells() == 0
+        # Markers and isocentres of a structure set are vertices only.
+        return self.data is None or self.data.GetNumberOfCells() == self.data.GetNumberOfVerts()
 
 
 def select_rois(reader, wanted, path):

@@ -67,6 +67,27 @@ ct.check(rt.strings(direct.GetOutputDataObject(0), "Report") == ['The selected R
 moved = simple.Transform(reader)
 ct.check(len(rt.blocks(ct.data(moved))) == 2, "a filter on the collection")
 
+# A region of points does not stop the others: one warning, and nothing is made of it.
+tall = [("CLOSED_PLANAR", [0.0, 0.0, z, 4.0, 0.0, z, 4.0, 3.5, z]) for z in (0.0, 1.0, 2.0)]
+mixture = simple.DICOMRTStructureSetReader(FileName=rt.write("points.dcm", rt.structure_set(
+    [(1, "Isocentre", "ISOCENTER", None, [("POINT", [1.0, 2.0, 3.0]), ("POINT", [2.0, 2.0, 3.0])]),
+     (2, "Organ", "ORGAN", None, tall)])))
+for name in ("ContourHierarchy", "ContourMapping", "ContourTriangulation", "JointVoronoiDiagram", "PolyhedralSurface",
+             "ImplicitConstraints", "ImplicitSurface"):
+    node = getattr(simple, name)(Input=mixture)
+    errors, warnings = rt.Errors(node), []
+
+    def keep(_, __, sentence, warnings=warnings):
+        warnings.append(sentence)
+    keep.CallDataType = "string0"
+    node.GetClientSideObject().AddObserver("WarningEvent", keep)
+    blocks = dict(rt.blocks(ct.data(node)))
+    ct.check(not errors.own, f"{name}: {errors.own}")
+    ct.check(len(warnings) == 1 and 'Region "Isocentre" is points only' in warnings[0], f"{name} warns: {warnings}")
+    ct.check(blocks["Isocentre"].GetNumberOfCells() == 0, f"{name} makes something of points")
+    ct.check("points only" in rt.strings(blocks["Isocentre"], "Report")[-1], f"{name} does not report it")
+    ct.check(blocks["Organ"].GetNumberOfPoints() > 0, f"{name} makes nothing of the organ")
+
 # What is wrong gives one sentence and nothing else.
 for name, content, part in [
         ("truncated.dcm", SET[:len(SET) * 2 // 3], "truncated"),
