@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ChebyshevOperators.h"
 
+#include "ExpansionLoops.h"
+
 #include <Eigen/Dense>
 
 #include <algorithm>
@@ -17,8 +19,12 @@ using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowM
 using Degrees = std::array<int, 3>;
 
 constexpr double Pi = 3.14159265358979323846;
-/// Entries below this part of the truncation's error are left out.
-constexpr double NegligiblePart = 0.1;
+/// Lower orders are parts of this one's operators, higher ones of LargestOrder's: those take longer
+/// to compute.
+constexpr int MiddleOrder = 10;
+/// Entries below this part of the truncation's error are left out; a tenth would take 1.6 times the
+/// time for an error that is half as large at most.
+constexpr double NegligiblePart = 0.5;
 
 /// The degrees of all coefficients, in the order in which they are stored: k runs fastest.
 std::vector<Degrees> DegreesOf(int order)
@@ -111,6 +117,15 @@ Matrix DifferenceTable(int order, int count)
   return table;
 }
 
+Matrix Product(const Eigen::Ref<const Matrix>& a, const Eigen::Ref<const Matrix>& b)
+{
+  Matrix c(a.rows(), b.cols());
+  Multiply({ static_cast<int>(a.rows()), static_cast<int>(b.cols()), static_cast<int>(a.cols()),
+    a.data(), static_cast<int>(a.outerStride()), b.data(), static_cast<int>(b.outerStride()),
+    c.data(), static_cast<int>(c.cols()) });
+  return c;
+}
+
 /// Coefficients of |2 o + u|^3 in products of T_l(u / 2), u in [-2, 2]^3: (l0) x (l1 count + l2).
 Matrix KernelSeries(const Degrees& offset, int count)
 {
@@ -133,7 +148,7 @@ Matrix KernelSeries(const Degrees& offset, int count)
   const Matrix toCoefficients = CoefficientsFromNodes(count, count);
   for (int axis = 0; axis < 3; ++axis)
   {
-    const Matrix turned = (toCoefficients * f).transpose();
+    const Matrix turned = Product(toCoefficients, f).transpose();
     f = Eigen::Map<const Matrix>(turned.data(), count, count * count);
   }
   return f;
@@ -160,7 +175,7 @@ Matrix FarFieldMatrix(int order, const Degrees& offset, const Matrix& table)
   const int count = static_cast<int>(table.cols());
   const Positions positions(order);
   Matrix full = Matrix::Zero(CoefficientCount(order), CoefficientCount(order));
-  const Matrix first = table * KernelSeries(offset, count);
+  const Matrix first = Product(table, KernelSeries(offset, count));
   for (int i0 = 0; i0 < side; ++i0)
   {
     for (int j0 = 0; j0 < side; ++j0)
@@ -169,17 +184,22 @@ Matrix FarFieldMatrix(int order, const Degrees& offset, const Matrix& table)
       const int di = order - i0;
       const int dj = order - j0;
       const Matrix rows = RowsUpTo(table, side, { di, dj });
-      const Matrix block = rows * slice * rows.transpose();
+      const Matrix left = Product(rows, slice);
+      const Matrix right = rows.transpose();
+      Matrix block(dj + 1, (di + 1) * (dj + 1));
       for (int i1 = 0; i1 <= di; ++i1)
       {
+        Multiply({ dj + 1, (di - i1 + 1) * (dj + 1), count, left.row(i1 * (dj + 1)).data(), count,
+          right.data(), static_cast<int>(right.cols()), block.data(),
+          static_cast<int>(block.cols()) });
         for (int j1 = 0; j1 <= dj; ++j1)
         {
           for (int i2 = 0; i1 + i2 <= di; ++i2)
           {
+            double* target = full.row(positions.Of({ i0, i1, i2 })).data();
             for (int j2 = 0; j1 + j2 <= dj; ++j2)
             {
-              full(positions.Of({ i0, i1, i2 }), positions.Of({ j0, j1, j2 })) =
-                block(i1 * (dj + 1) + j1, i2 * (dj + 1) + j2);
+              target[positions.Of({ j0, j1, j2 })] = block(j1, i2 * (dj + 1) + j2);
             }
           }
         }
@@ -301,33 +321,90 @@ const Value& Kept(std::array<std::unique_ptr<const Value>, Count>& all, std::mut
   return *all[index];
 }
 
+double Negligible(int order, int offsetClass)
+{
+  const Degrees& o = CanonicalOffsets()[offsetClass];
+  const double distance =
+    2 * std::sqrt(static_cast<double>(o[0] * o[0] + o[1] * o[1] + o[2] * o[2]));
+  return NegligiblePart * ChebyshevOperators::RelativeError(order) * distance * distance * distance;
+}
+
+/// The rows and columns that have a new name (others: -1), in their order.
+SparseOperator Part(const SparseOperator& whole, const std::vector<int>& renamed, double negligible)
+{
+  SparseOperator part;
+  for (int i = 0; i < whole.Rows(); ++i)
+  {
+    if (renamed[i] < 0)
+    {
+      continue;
+    }
+    for (std::int32_t e = whole.RowStart[i]; e < whole.RowStart[i + 1]; ++e)
+    {
+      const int column = renamed[whole.Column[e]];
+      if (column >= 0 && std::abs(whole.Value[e]) > negligible)
+      {
+        part.Column.push_back(column);
+        part.Value.push_back(whole.Value[e]);
+      }
+    }
+    part.RowStart.push_back(static_cast<std::int32_t>(part.Column.size()));
+  }
+  return part;
+}
+
 constexpr std::size_t OrderPairs = (LargestOrder + 1) * (LargestOrder + 1);
 }
 
 ChebyshevOperators::ChebyshevOperators(int order) : P(order)
 {
-  // |2 o + u|^3 is less smooth in u than in x and y; what a few more terms add is below 1e-13.
-  const Matrix table = DifferenceTable(order, 2 * order + 10);
-  for (int c = 0; c < Classes; ++c)
-  {
-    const Degrees& o = CanonicalOffsets()[c];
-    const double distance =
-      2 * std::sqrt(static_cast<double>(o[0] * o[0] + o[1] * o[1] + o[2] * o[2]));
-    this->Far[c] = Compress(FarFieldMatrix(order, o, table),
-      NegligiblePart * RelativeError(order) * distance * distance * distance);
-  }
   for (int t = 0; t < Turns; ++t)
   {
     this->Turned48[t] = MakeOrientation(order, Permutations[t / 8], t % 8);
   }
 }
 
+void ChebyshevOperators::Compute()
+{
+  // |2 o + u|^3 is less smooth in u than in x and y; what a few more terms add is below 1e-13.
+  const Matrix table = DifferenceTable(this->P, 2 * this->P + 10);
+  for (int c = 0; c < Classes; ++c)
+  {
+    this->Far[c] =
+      Compress(FarFieldMatrix(this->P, CanonicalOffsets()[c], table), Negligible(this->P, c));
+  }
+}
+
+void ChebyshevOperators::TakeFrom(const ChebyshevOperators& higher)
+{
+  const Positions own(this->P);
+  std::vector<int> renamed;
+  for (const Degrees& d : DegreesOf(higher.P))
+  {
+    renamed.push_back(d[0] + d[1] + d[2] <= this->P ? own.Of(d) : -1);
+  }
+  for (int c = 0; c < Classes; ++c)
+  {
+    this->Far[c] = Part(higher.Far[c], renamed, Negligible(this->P, c));
+  }
+}
+
 const ChebyshevOperators& ChebyshevOperators::OfOrder(int order)
 {
   static std::mutex mutex;
-  static std::array<std::unique_ptr<const ChebyshevOperators>, LargestOrder + 1> all;
-  return Kept(all, mutex, static_cast<std::size_t>(order),
-    [order] { return std::unique_ptr<const ChebyshevOperators>(new ChebyshevOperators(order)); });
+  static std::array<std::unique_ptr<ChebyshevOperators>, LargestOrder + 1> all;
+  const std::lock_guard<std::mutex> lock(mutex);
+  // Always from the same series, so that no bit depends on what was asked for before.
+  const int computed = order <= MiddleOrder ? MiddleOrder : LargestOrder;
+  for (const int wanted : { computed, order })
+  {
+    if (!all[wanted])
+    {
+      all[wanted].reset(new ChebyshevOperators(wanted));
+      wanted == computed ? all[wanted]->Compute() : all[wanted]->TakeFrom(*all[computed]);
+    }
+  }
+  return *all[order];
 }
 
 double ChebyshevOperators::RelativeError(int order)

@@ -72,6 +72,61 @@ RECON_VERSIONS void Apply(const SparseOperator& op, const double* x, double* y)
   }
 }
 
+RECON_VERSIONS void Multiply(const DenseProduct& product)
+{
+  constexpr int Block = 4;
+  const std::size_t lda = product.LdA;
+  const std::size_t ldb = product.LdB;
+  const std::size_t ldc = product.LdC;
+  for (int i = 0; i < product.Rows; i += Block)
+  {
+    // A short last block repeats its last row.
+    const double* a[Block];
+    double* c[Block];
+    for (int r = 0; r < Block; ++r)
+    {
+      const std::size_t row = i + r < product.Rows ? i + r : product.Rows - 1;
+      a[r] = product.A + row * lda;
+      c[r] = product.C + row * ldc;
+    }
+    int j = 0;
+    for (; j + L <= product.Columns; j += L)
+    {
+      alignas(64) double sum[Block][L] = {};
+      const double* b = product.B + j;
+      for (int k = 0; k < product.Depth; ++k, b += ldb)
+      {
+        for (int q = 0; q < L; ++q)
+        {
+          sum[0][q] += a[0][k] * b[q];
+          sum[1][q] += a[1][k] * b[q];
+          sum[2][q] += a[2][k] * b[q];
+          sum[3][q] += a[3][k] * b[q];
+        }
+      }
+      for (int r = 0; r < Block; ++r)
+      {
+        for (int q = 0; q < L; ++q)
+        {
+          c[r][j + q] = sum[r][q];
+        }
+      }
+    }
+    for (; j < product.Columns; ++j)
+    {
+      for (int r = 0; r < Block; ++r)
+      {
+        double sum = 0;
+        for (int k = 0; k < product.Depth; ++k)
+        {
+          sum += a[r][k] * product.B[k * ldb + j];
+        }
+        c[r][j] = sum;
+      }
+    }
+  }
+}
+
 RECON_VERSIONS void AddMoments(int order, const LanePoints& at, const Lane& w, double* moments)
 {
   const double* weights = w.data();

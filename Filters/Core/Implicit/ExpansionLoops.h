@@ -47,6 +47,21 @@ struct SourceRange
 /// y = op x, where coefficient s of lane b is at [s ExpansionLanes + b].
 void Apply(const SparseOperator& op, const double* x, double* y);
 
+/// A product of dense matrices stored by rows, c = a b; ld are the lengths of their rows.
+struct DenseProduct
+{
+  int Rows;
+  int Columns;
+  int Depth;
+  const double* A;
+  int LdA;
+  const double* B;
+  int LdB;
+  double* C;
+  int LdC;
+};
+void Multiply(const DenseProduct& product);
+
 /// moments[s] += sum over lanes of w T_s(at), at in the box's own coordinates.
 void AddMoments(int order, const LanePoints& at, const Lane& w, double* moments);
 
