@@ -64,6 +64,8 @@ std::string RuleOf(const ContourJoin& join)
       return "Forbidden";
     case ContourJoin::GapTooWide:
       return "Gap too wide";
+    case ContourJoin::ByDistance:
+      return "Distance";
     case ContourJoin::NoPartner:
       return "No partner";
     case ContourJoin::InternalWall:

@@ -6,6 +6,7 @@
 #include "JoinOverrides.h"
 #include "JoinWords.h"
 #include "MappingGroups.h"
+#include "NearestRegion.h"
 #include "RegionOverlaps.h"
 
 #include <algorithm>
@@ -14,6 +15,8 @@
 #include <iterator>
 #include <map>
 #include <numeric>
+#include <optional>
+#include <set>
 #include <utility>
 
 namespace recon
@@ -117,14 +120,39 @@ public:
     this->Context.TooWide = mapping.IsGap[Index(slab)] != 0;
   }
 
-  void Map()
+  void MapOverlaps()
   {
     this->MeasureOverlaps();
     // Holes come second, because rule 1 asks whether the walls around them are joined.
     this->DecidePairs(true);
     this->DecidePairs(false);
+  }
+
+  void MapRestToPhi()
+  {
     this->MapRestToPhi(this->Slab);
     this->MapRestToPhi(this->Slab + 1);
+  }
+
+  bool HasPairOf(int region) const { return this->InPairs.count(region) > 0; }
+  bool IsTooWide() const { return this->Context.TooWide; }
+  double Thickness() const { return this->Context.Gap; }
+
+  void JoinByDistance(int lower, int upper, double distance)
+  {
+    ContourJoin join;
+    join.Slab = this->Slab;
+    join.LowerRegion = lower;
+    join.UpperRegion = upper;
+    join.Rule = ContourJoin::ByDistance;
+    join.Distance = distance;
+    join.Joined = true;
+    join.Words = DescribeJoin(this->Contours, this->Mapping, join, this->Context);
+    this->Joined[lower] = this->Joined[upper] = true;
+    // Before the pairs of holes.
+    const auto firstHole = std::find_if(this->Joins.begin(), this->Joins.end(),
+      [this](const ContourJoin& j) { return !this->RegionAt(j.LowerRegion).Solid; });
+    this->Joins.insert(firstHole, std::move(join));
   }
 
   std::vector<ContourJoin> Joins;
@@ -150,6 +178,8 @@ private:
       }
       if (below.Solid == above.Solid)
       {
+        this->InPairs.insert(overlap.LowerContour);
+        this->InPairs.insert(overlap.UpperContour);
         this->Areas[{ overlap.LowerContour, overlap.UpperContour }] = overlap.Area;
       }
       else
@@ -161,6 +191,8 @@ private:
     for (const auto& entry : this->Overrides)
     {
       this->Areas.emplace(entry.first, 0.0);
+      this->InPairs.insert(entry.first.first);
+      this->InPairs.insert(entry.first.second);
     }
   }
 
@@ -294,9 +326,66 @@ private:
   JoinContext Context;
   std::map<Pair, double> Areas;
   std::map<int, double> FacingSolid; ///< of holes
+  std::set<int> InPairs;             ///< regions that overlap one of their kind or are overridden
   std::map<int, bool> Joined;
   std::map<Pair, bool> JoinedPairs;
 };
+
+/// Solid regions that overlap none above or below, each to the nearest that is near enough.
+void JoinLonelyRegions(
+  const ContourSet& contours, const ContourMapping& mapping, std::vector<SlabMapper>& mappers)
+{
+  struct Join
+  {
+    std::size_t Slab;
+    int Lower, Upper;
+    double Distance;
+  };
+  std::vector<Join> joins; // all are found before any is made, so that their order does not matter
+  for (const ContourRegion& region : mapping.Regions)
+  {
+    const bool hasBelow = region.Level > 0;
+    const bool hasAbove = Index(region.Level) < mappers.size();
+    if (!region.Solid || (hasBelow && mappers[Index(region.Level) - 1].HasPairOf(region.Wall)) ||
+      (hasAbove && mappers[Index(region.Level)].HasPairOf(region.Wall)))
+    {
+      continue;
+    }
+    std::optional<Join> best;
+    for (const bool above : { false, true })
+    {
+      if (!(above ? hasAbove : hasBelow))
+      {
+        continue;
+      }
+      const std::size_t slab = Index(region.Level) - (above ? 0 : 1);
+      const Level& level = contours.Levels[above ? slab + 1 : slab];
+      const auto nearest = mappers[slab].IsTooWide()
+        ? std::nullopt
+        : FindNearestRegion(
+            contours, region, mapping.Regions, level, TouchingShare * mappers[slab].Thickness());
+      // Relative to the slab: what counts is how steep the surface is.
+      if (nearest &&
+        (!best ||
+          nearest->Distance * mappers[best->Slab].Thickness() <
+            best->Distance * mappers[slab].Thickness()))
+      {
+        best = above ? Join{ slab, region.Wall, nearest->Wall, nearest->Distance }
+                     : Join{ slab, nearest->Wall, region.Wall, nearest->Distance };
+      }
+    }
+    if (best &&
+      std::none_of(joins.begin(), joins.end(),
+        [&](const Join& j) { return j.Lower == best->Lower && j.Upper == best->Upper; }))
+    {
+      joins.push_back(*best);
+    }
+  }
+  for (const Join& join : joins)
+  {
+    mappers[join.Slab].JoinByDistance(join.Lower, join.Upper, join.Distance);
+  }
+}
 }
 
 ContourMapping BuildContourMapping(
@@ -321,8 +410,13 @@ ContourMapping BuildContourMapping(
     mappers.emplace_back(contours, options, mapping, spacing, overrides, static_cast<int>(slab));
   }
   ParallelFor(static_cast<int>(mappers.size()), options.Threads,
-    [&mappers](int slab) { mappers[Index(slab)].Map(); }, monitor,
-    { 0.0, 0.95, "mapping regions" });
+    [&mappers](int slab) { mappers[Index(slab)].MapOverlaps(); }, monitor,
+    { 0.0, 0.9, "mapping regions" });
+  JoinLonelyRegions(contours, mapping, mappers);
+  for (SlabMapper& mapper : mappers)
+  {
+    mapper.MapRestToPhi();
+  }
   for (SlabMapper& mapper : mappers)
   {
     std::move(mapper.Joins.begin(), mapper.Joins.end(), std::back_inserter(mapping.Joins));

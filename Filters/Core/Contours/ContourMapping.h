@@ -22,6 +22,9 @@
 
 namespace recon
 {
+/// Share of a slab's thickness below which regions that do not overlap are as good as touching.
+constexpr double TouchingShare = 0.1;
+
 struct ContourMappingOptions
 {
   /// Two solid (or two non-solid) regions are joined where they share more than this part of the
@@ -53,12 +56,13 @@ struct ContourJoin
 {
   enum RuleType
   {
-    ByOverlap,   ///< the overlap decided, either way
-    Forced,      ///< by ForcedJoins
-    Forbidden,   ///< by ForbiddenJoins
-    GapTooWide,  ///< by MaximumGap
-    NoPartner,   ///< mapped to Phi
-    InternalWall ///< one of the three rules of 3.3.1
+    ByOverlap,    ///< the overlap decided, either way
+    Forced,       ///< by ForcedJoins
+    Forbidden,    ///< by ForbiddenJoins
+    GapTooWide,   ///< by MaximumGap
+    NoPartner,    ///< mapped to Phi
+    InternalWall, ///< one of the three rules of 3.3.1
+    ByDistance    ///< overlaps nothing above or below, but as good as touches
   };
 
   int Slab = -1;
@@ -68,6 +72,7 @@ struct ContourJoin
   double LowerRatio = 0;  ///< OverlapArea / area of the lower region
   double UpperRatio = 0;
   RuleType Rule = ByOverlap;
+  double Distance = 0;      ///< in projection, where Rule is ByDistance
   int InternalWallRule = 0; ///< 1, 2 or 3 of 3.3.1 where Rule is InternalWall
   bool Joined = false;
   std::string Words; ///< one sentence that a physicist reads
@@ -97,6 +102,12 @@ struct ContourMapping
 
 /**
  * Overlaps, decisions, groups and their filters (thesis 3.2, 3.3).
+ *
+ * One more rule than the thesis has: a solid region that overlaps no solid region above or below is
+ * joined to the nearest one of these, if that is nearer in projection than TouchingShare of the
+ * slab's thickness. The tip of a shape whose side is perpendicular to the planes is a sliver that
+ * rounding and sampling put beside the contour it belongs to, and to leave it out would lose it. A
+ * finger that ends overlaps its own finger, so it is never joined to another by this rule.
  *
  * An override names two contours of adjacent levels, both outer walls (the solid regions inside
  * them are meant) or both walls of holes (the holes are meant).

@@ -99,6 +99,10 @@ private:
           ShortNumber(this->Context.Spacing) + ".";
       case ContourJoin::InternalWall:
         return this->ReasonOfRuleOne();
+      case ContourJoin::ByDistance:
+        return ": one of them overlaps nothing above or below, and they are " +
+          ShortNumber(this->Join.Distance) + " apart, next to nothing beside the " +
+          ShortNumber(this->Context.Gap) + " between their levels.";
       case ContourJoin::ByOverlap:
       case ContourJoin::NoPartner:
         break;

@@ -312,6 +312,47 @@ TEST(ContourMapping, WideGapsAreNotBridged)
   EXPECT_TRUE(Find(Map(Gapped(), options), 2, 3).Joined) << "a forced join wins over the gap";
 }
 
+TEST(ContourMapping, ATipBesideItsContourIsJoined)
+{
+  const auto tipAt = [](double x)
+  {
+    return SoupMaker()
+      .Loop(Rectangle(x, 0, x + 0.01, 1), 0)
+      .Loop(Rectangle(-2, -2, 0, 2), 1)
+      .Loop(Rectangle(-2, -2, 0, 2), 2)
+      .Build();
+  };
+  const ContourMapping near = Map(tipAt(0.05), {});
+  EXPECT_TRUE(Find(near, 0, 1).Joined);
+  EXPECT_EQ(Find(near, 0, 1).Rule, ContourJoin::ByDistance);
+  EXPECT_EQ(Find(near, 0, 1).Words,
+    "Contour 0 (z = 0) is joined to contour 1 (z = 1): one of them overlaps nothing above or "
+    "below, "
+    "and they are 0.05 apart, next to nothing beside the 1 between their levels.");
+  ASSERT_EQ(near.Groups.size(), 2u);
+  EXPECT_EQ(near.Groups[0].LowerContours, (std::vector<int>{ 0 }));
+  EXPECT_EQ(near.Groups[0].UpperContours, (std::vector<int>{ 1 }));
+  EXPECT_EQ(near.Joins.size(), 2u) << "neither is said to end there";
+
+  EXPECT_EQ(Find(Map(tipAt(0.15), {}), 0, -1).Rule, ContourJoin::NoPartner) << "not near enough";
+  ContourMappingOptions options;
+  options.ForbiddenJoins = { { 0, 1 } };
+  EXPECT_FALSE(Find(Map(tipAt(0.05), options), 0, 1).Joined) << "forbidding wins";
+}
+
+TEST(ContourMapping, AFingerThatEndsIsNotJoinedToItsNeighbour)
+{
+  // Beside the next finger's contour by less than any slab, but it has a contour of its own below.
+  const ContourSet set = SoupMaker()
+                           .Loop(Rectangle(0, 0, 1, 1), 0)
+                           .Loop(Rectangle(1.05, 0, 2, 1), 0)
+                           .Loop(Rectangle(0, 0, 1, 1), 1)
+                           .Loop(Rectangle(1.05, 0, 2, 1), 1)
+                           .Loop(Rectangle(0, 0, 1, 1), 2)
+                           .Build();
+  EXPECT_EQ(Find(Map(set), 3, -1).Rule, ContourJoin::NoPartner);
+}
+
 TEST(ContourMapping, HolesThatFaceSolidInPart)
 {
   const ContourSet set = SoupMaker()

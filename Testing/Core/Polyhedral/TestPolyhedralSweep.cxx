@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every contour set at hand through the whole method: rows 2 to 4 of what the project must show.
+#include "PolyhedralShapes.h"
 #include "PolyhedralSweep.h"
 
 #include <gtest/gtest.h>
@@ -138,6 +139,77 @@ void ExpectPhantomVolume(const std::string& name, double truth, double nearness)
       });
   }
 }
+}
+
+namespace
+{
+/// Flat: the slabs. HalfSlice: as planning systems count, half a slab more at both ends.
+void ExpectCappedVolume(const ContourSet& contours)
+{
+  const double area = contours.Contours[0].SignedArea;
+  const auto slices = static_cast<double>(contours.Levels.size());
+  const double spacing = (contours.Levels.back().Offset - contours.Levels[0].Offset) / (slices - 1);
+  for (const auto mapping : { PolyhedralOptions::Proximity, PolyhedralOptions::Overlap })
+  {
+    PolyhedralOptions options;
+    options.Mapping = mapping;
+    options.EndCaps = PolyhedralOptions::Flat;
+    const double flat = VolumeOf(BuildSurface(contours, options).Mesh);
+    options.EndCaps = PolyhedralOptions::HalfSlice;
+    const PolyhedralSurface surface = BuildSurface(contours, options);
+    const double half = VolumeOf(surface.Mesh);
+    std::printf("[ FIGURE   ] %g slices %g apart, area %.4f: Flat %+.5f %%, HalfSlice %+.5f %%\n",
+      slices, spacing, area, 100 * (flat / (area * (slices - 1) * spacing) - 1),
+      100 * (half / (area * slices * spacing) - 1));
+    EXPECT_NEAR(flat, area * (slices - 1) * spacing, 5e-4 * area * (slices - 1) * spacing);
+    EXPECT_NEAR(half, area * slices * spacing, 5e-4 * area * slices * spacing);
+    EXPECT_NEAR(surface.EndCapVolume, area * spacing, 5e-4 * area * spacing);
+  }
+}
+}
+
+TEST(PolyhedralPhantoms, CylindersWithCaps)
+{
+  for (const char* spacing : { "10", "20", "30" })
+  {
+    const std::string path =
+      SharedPath(std::string("rtstruct/phantoms/Cylinder_") + spacing + "_0.dcm");
+    if (!std::filesystem::exists(path))
+    {
+      GTEST_SKIP() << "no " << path << ": this real contour set was NOT tested";
+    }
+    SCOPED_TRACE(path);
+    EXPECT_EQ(ForEachSolid(path, ExpectCappedVolume), 1);
+  }
+}
+
+TEST(PolyhedralPhantoms, CylinderOfOurOwnWithCaps)
+{
+  ExpectCappedVolume(BuildStack(RingStack(9, { RegularPolygon(240, 12) }), 3));
+}
+
+TEST(PolyhedralPhantoms, TheTipsOfAConeAcrossTheSlicesAreKeptByOverlap)
+{
+  for (const char* spacing : { "10", "20", "30" })
+  {
+    const std::string path =
+      SharedPath(std::string("rtstruct/phantoms/RtCone_") + spacing + "_0.dcm");
+    if (!std::filesystem::exists(path))
+    {
+      GTEST_SKIP() << "no " << path << ": this real contour set was NOT tested";
+    }
+    SCOPED_TRACE(path);
+    ForEachSolid(path,
+      [](const ContourSet& contours)
+      {
+        PolyhedralOptions options;
+        const double near = VolumeOf(BuildSurface(contours, options).Mesh);
+        options.Mapping = PolyhedralOptions::Overlap;
+        const PolyhedralSurface surface = BuildSurface(contours, options);
+        EXPECT_TRUE(ContoursLeftOut(surface).Wholly.empty());
+        EXPECT_NEAR(VolumeOf(surface.Mesh), near, 1e-9 * near);
+      });
+  }
 }
 
 TEST(PolyhedralPhantoms, ConesAreTheSumOfFrusta)
