@@ -23,6 +23,7 @@ READERS = {
 METHODS = {"psm": "PolyhedralSurface", "ism": "ImplicitSurface"}
 SURFACE_FORMATS = (".vtp", ".stl", ".ply", ".brep")
 STRUCTURE_SET = ".dcm"
+DRAWN_TOLERANCE = 0.1  # mm that a slice may lie beyond the outermost drawn point, for rounded coordinates
 
 
 class CommandError(Exception):
@@ -293,25 +294,55 @@ def reconstruct(contours, method="psm", settings=(), bar=None):
     return Result(contours, surface, stages, certificate, report)
 
 
+def slices_within(slices, contours):
+    """Those of the rectangles whose planes lie between the outermost points of the contours, as poly data."""
+    from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkPolygon
+    within = vtkPolyData()
+    within.SetPoints(slices.GetPoints())
+    within.Allocate()
+    normal, corner = [0.0] * 3, [0.0] * 3
+    points = [contours.GetPoint(p) for p in range(contours.GetNumberOfPoints())]
+    for i in range(slices.GetNumberOfCells()):
+        rectangle = slices.GetCell(i)
+        vtkPolygon.ComputeNormal(rectangle.GetPoints(), normal)
+        rectangle.GetPoints().GetPoint(0, corner)
+        heights = [sum(n * (x - c) for n, x, c in zip(normal, point, corner)) for point in points]
+        if min(heights) <= DRAWN_TOLERANCE and max(heights) >= -DRAWN_TOLERANCE:
+            within.InsertNextCell(slices.GetCellType(i), rectangle.GetPointIds())
+    return within
+
+
 class StructureSetWriter:
     """Traces contours on the slices of a reference, and writes them, a region of interest a block."""
 
-    def __init__(self, path, reference, settings=()):
+    def __init__(self, path, reference, settings=(), extrapolate=False):
         self.writer = _new("DICOMRTStructureSetWriter", FileName=path, ReferenceFileName=reference)
         self.settings = settings
+        self.extrapolate = extrapolate
         self.traced = []
         self.rows = []  # of the table: name, contours drawn, contours written, slices, seconds
-        self.planes = {}
+        self.slices = None
         if not any(setting.partition("=")[0] in ("Spacing", "Range", "UseRange") for setting in settings):
-            self.planes = {"Planes": _new("DICOMSlicePlanes", FileName=reference)}
-            run_proxy(self.planes["Planes"])
+            planes = _new("DICOMSlicePlanes", FileName=reference)
+            run_proxy(planes)
+            self.slices = planes.GetClientSideObject().GetOutputDataObject(0)
+
+    def _planes(self, block):
+        if self.slices is None:
+            return {}
+        slices = self.slices if self.extrapolate else slices_within(self.slices, block.data)
+        if slices.GetNumberOfCells() == 0:
+            raise CommandError(f"{block.name}: none of the {self.slices.GetNumberOfCells()} slices that the reference "
+                               "tells meets its contours: are they of the same patient?")
+        return {"Planes": as_source(slices)}
 
     def trace(self, block, bar=None):
         """Fit an implicit function to a block, and take its contours."""
         source = as_source(block.data)
         constraints = _new("ImplicitConstraints", Input=source)
         function = _new("ImplicitFunction", Input=constraints)
-        contours = _new("ImplicitContours", Input=function, **self.planes)
+        planes = self._planes(block)
+        contours = _new("ImplicitContours", Input=function, **planes)
         stages = [constraints, function, contours]
         apply_settings(stages + [self.writer], self.settings)
         try:
@@ -322,7 +353,7 @@ class StructureSetWriter:
         slices = data.GetFieldData().GetArray("LevelOffset").GetNumberOfTuples()
         self.rows.append([block.name, block.data.GetNumberOfCells(), data.GetNumberOfCells(), slices, f"{seconds:.2f}"])
         self.traced.append(Contours(block.name, data))
-        for proxy in reversed([source] + stages):
+        for proxy in list(reversed(stages)) + [source] + list(planes.values()):
             simple.Delete(proxy)
 
     def write(self):

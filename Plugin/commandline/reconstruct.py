@@ -29,6 +29,8 @@ def parse(arguments):
     parser.add_argument("--reference", metavar="FILE",
                         help="for OUT.dcm: the RT structure set that the contours were drawn in, or one image of their "
                              "series; it gives patient, study and slices (IN, where that is one)")
+    parser.add_argument("--extrapolate", action="store_true",
+                        help="for OUT.dcm: also on slices beyond the outermost drawn points, where the surface closes")
     parser.add_argument("--certificate", metavar="FILE.json",
                         help="write everything that is known about the surfaces")
     return parser.parse_args(arguments)
@@ -90,7 +92,7 @@ def check_structure_set(options):
 
 
 def write_structure_set(options, blocks, reference):
-    writer = cli.StructureSetWriter(options.output, reference, options.settings)
+    writer = cli.StructureSetWriter(options.output, reference, options.settings, options.extrapolate)
     for block in blocks:
         bar = cli.ProgressBar(block.name)
         try:
@@ -105,8 +107,9 @@ def write_structure_set(options, blocks, reference):
 def run(options):
     check_output(options.output)
     reference = check_structure_set(options) if is_structure_set(options.output) else None
-    if options.reference and not reference:
-        raise cli.CommandError(f"--reference is for an RT structure set (.dcm), and {options.output} is none.")
+    if (options.reference or options.extrapolate) and not reference:
+        raise cli.CommandError("--reference and --extrapolate are for an RT structure set (.dcm), and "
+                               f"{options.output} is none.")
     cli.load_plugin()
     blocks, reading = cli.read_contours(options.input, options.roi)
     filled = [block for block in blocks if not block.empty]

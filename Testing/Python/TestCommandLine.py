@@ -87,12 +87,12 @@ def circle(radius, z):
 
 
 body = [("CLOSED_PLANAR", circle(60.0, 3.0 * i - 30), f"1.2.3.{i + 1}") for i in range(21)]
-ball = [("CLOSED_PLANAR", circle(math.sqrt(20.0 ** 2 - z ** 2), z)) for z in (-18.0, -6.0, 6.0, 18.0)]
+ball = [("CLOSED_PLANAR", circle(math.sqrt(20.0 ** 2 - z ** 2), z)) for z in (-12.0, -6.0, 6.0, 12.0)]
 with open(os.path.join(FOLDER, "drawn.dcm"), "wb") as file:
     file.write(rt.structure_set([(1, "Body", "EXTERNAL", "0\\255\\0", body), (2, "Ball", "PTV", None, ball)]))
 table = succeeds("drawn.dcm", "all.dcm", "--method", "ism", "--roi", "Ball", "--set", "StructureSetLabel=Balls")
 row = [line for line in table.splitlines() if line.startswith("Ball")][0].split()
-ct.check(row[1] == "4" and row[2] == row[3] and 12 <= int(row[2]) <= 14, f"4 contours on 12 to 14 slices: {row}")
+ct.check(row[1] == "4" and row[2] == row[3] == "9", f"4 contours of the ball become 9, none beyond the drawn: {row}")
 simple = ct.load_plugin()
 blocks = dict(rt.blocks(ct.data(simple.DICOMRTStructureSetReader(FileName=os.path.join(FOLDER, "all.dcm")))))
 ct.check(list(blocks) == ["Body", "Ball", "Ball (2)"], f"the ROIs are {list(blocks)}")
@@ -100,10 +100,12 @@ traced = blocks["Ball (2)"]
 ct.check(traced.GetNumberOfCells() == int(row[2]), "the file has as many contours as the table")
 ct.check(all(abs(traced.GetPoint(i)[2] / 3 - round(traced.GetPoint(i)[2] / 3)) < 1e-9
              for i in range(traced.GetNumberOfPoints())), "the contours lie on the slices")
-off = max(abs(math.dist(traced.GetPoint(i), (0, 0, 0)) - 20) for i in range(traced.GetNumberOfPoints())
-          if abs(traced.GetPoint(i)[2]) < 18.5)
+off = max(abs(math.dist(traced.GetPoint(i), (0, 0, 0)) - 20) for i in range(traced.GetNumberOfPoints()))
 ct.check(off < 1.0, f"the contours are the ball's to {off} mm")
 ct.check(rt.strings(traced, "ROIType") == ["PTV"], "the type is kept")
+table = succeeds("drawn.dcm", "beyond.dcm", "--method", "ism", "--roi", "Ball", "--extrapolate")
+row = [line for line in table.splitlines() if line.startswith("Ball")][0].split()
+ct.check(int(row[2]) > 9, f"--extrapolate goes on where the ball closes: {row}")
 # Contours of any file, on planes that are told instead.
 succeeds(ct.own("femur_head.csl"), "femur.dcm", "--method", "ism", "--reference", "drawn.dcm", "--set", "Spacing=5",
          "--set", "ROIName=Femur head", "--set", "CopyReferenceROIs=0")
@@ -114,7 +116,11 @@ fails("give the RT structure set", brain, "out.dcm", "--method", "ism")
 fails("is read as well", "drawn.dcm", "drawn.dcm", "--method", "ism")
 fails("is read as well", brain, "drawn.dcm", "--method", "ism", "--reference", "drawn.dcm")
 fails("There is no file", brain, "out.dcm", "--method", "ism", "--reference", "absent.dcm")
-fails("--reference is for", brain, "out.vtp", "--reference", "drawn.dcm")
+fails("--reference and --extrapolate are for", brain, "out.vtp", "--reference", "drawn.dcm")
+with open(os.path.join(FOLDER, "elsewhere.dcm"), "wb") as file:
+    file.write(rt.structure_set([(1, "Body", "", None, [("CLOSED_PLANAR", circle(60.0, 900.0), "1.2.3.1")])]))
+fails("are they of the same patient", "drawn.dcm", "out.dcm", "--method", "ism", "--reference", "elsewhere.dcm",
+      "--roi", "Ball")
 fails("no property 'Nonsense'", "drawn.dcm", "out.dcm", "--method", "ism", "--set", "Nonsense=1")
 
 fails("There is no file", "nothing.cnt", "out.vtp")
