@@ -16,7 +16,7 @@ namespace
 /// Centres up to which a box is not split; between 64 and 128 the time hardly changes at 1e-8, and
 /// at 1e-12, where translations cost more, 128 is a third faster.
 constexpr std::int32_t LeafCentres = 128;
-/// The first level with boxes that do not touch (of the root's own).
+/// The first level with boxes that do not touch.
 constexpr int FirstFarLevel = 2;
 /// Orders are chosen by their root mean square error; of a few thousand centres the worst is this
 /// much larger (fewer centres, less averaging).
@@ -27,6 +27,8 @@ constexpr double RmsOfLargest = 0.3;
 constexpr double ErrorGrowth = 5;
 /// Leaves, or parents, that a thread takes at a time.
 constexpr int BoxesPerPiece = 32;
+/// Points of one leaf that are summed in one go.
+constexpr std::int32_t PointsPerRun = 256;
 
 constexpr const char* Stage = "summing kernels";
 
@@ -174,11 +176,6 @@ void ForPieces(std::size_t count, int perPiece, int threads, Monitor& monitor, c
   }
   ParallelFor(pieces, threads, run, monitor, { 0, 1, Stage });
 }
-
-RootCube CubeAround(const std::vector<Point3>& centres)
-{
-  return RootCube::Around(centres);
-}
 }
 
 class FastKernelSum::Implementation
@@ -187,7 +184,7 @@ public:
   Implementation(const std::vector<Point3>& centres, double accuracy, int threads)
     : Threads(threads),
       Given(centres),
-      Cube(CubeAround(centres)),
+      Cube(RootCube::Around(centres)),
       Tree(GrowTree(centres, this->Cube)),
       Self(this->Tree),
       Weights(centres.size(), 0)
@@ -210,12 +207,11 @@ public:
       throw Error("The accuracy of the fast sum must lie between 1e-13 and 1e-3.");
     }
     this->NextOrders.clear();
-    // Level 1 acts on targets beyond the root cube only.
-    double allowed = RmsOfLargest * accuracy / ErrorGrowth;
+    double allowed = RmsOfLargest * accuracy;
     for (int level = 0; level <= KernelOctree::DeepestLevel; ++level)
     {
       this->NextOrders.push_back(ChebyshevOperators::OrderFor(allowed));
-      allowed *= level >= FirstFarLevel - 1 ? ErrorGrowth : 1;
+      allowed *= level >= FirstFarLevel ? ErrorGrowth : 1;
     }
   }
 
@@ -233,8 +229,9 @@ public:
       this->Sources.W[i] = weights[numbers[i]];
     }
     this->UseOrders();
+    this->Prepared = false;
     this->FillLeaves(monitor);
-    for (int level = this->Tree.Levels() - 2; level > 0; --level)
+    for (int level = this->Tree.Levels() - 2; level >= FirstFarLevel; --level)
     {
       this->FillParents(level, monitor);
     }
@@ -243,12 +240,44 @@ public:
   std::vector<double> ValuesAtCentres(Monitor& monitor) const
   {
     std::vector<double> values(this->Weights.size());
-    this->Sum(this->Self, values, nullptr, monitor);
+    Expansions local;
+    this->Expand(this->Self, local, monitor);
+    const std::vector<std::int32_t>& leaves = this->Self.Leaves();
+    ForPieces(leaves.size(), BoxesPerPiece, this->Threads, monitor,
+      [&](std::size_t from, std::size_t to)
+      {
+        for (std::size_t i = from; i < to; ++i)
+        {
+          const OctreeBox& box = this->Tree.Boxes()[leaves[i]];
+          this->SumRun(this->Self, local, { static_cast<std::int32_t>(i), box.From, box.To },
+            { this->Tree.Points(), this->Tree.Numbers() }, values, nullptr);
+        }
+      });
     return values;
   }
 
+  /// The local expansions of all boxes that points may lie in, once for all points.
+  void Prepare(Monitor& monitor)
+  {
+    if (this->Prepared)
+    {
+      return;
+    }
+    if (!this->Around)
+    {
+      this->Around = std::make_unique<KernelSumPlan>(this->Tree, KernelSumPlan::Everywhere{});
+      this->LeafNumber.assign(this->Around->Targets().Boxes().size(), -1);
+      for (std::size_t i = 0; i < this->Around->Leaves().size(); ++i)
+      {
+        this->LeafNumber[this->Around->Leaves()[i]] = static_cast<std::int32_t>(i);
+      }
+    }
+    this->Expand(*this->Around, this->LocalAround, monitor);
+    this->Prepared = true;
+  }
+
   void ValuesAt(const std::vector<Point3>& points, std::vector<double>& values,
-    std::vector<Vector3>* gradients, Monitor& monitor) const
+    std::vector<Vector3>* gradients, Monitor& monitor)
   {
     values.assign(points.size(), 0);
     if (gradients)
@@ -259,35 +288,26 @@ public:
     {
       return;
     }
-    std::vector<std::size_t> within;
+    this->Prepare(monitor);
+    std::vector<std::int32_t> numbers;
     std::vector<std::size_t> beyond;
-    for (std::size_t i = 0; i < points.size(); ++i)
+    const std::vector<Run> runs = this->RunsOf(points, numbers, beyond);
+    std::vector<Point3> sorted;
+    sorted.reserve(numbers.size());
+    for (const std::int32_t number : numbers)
     {
-      (this->Cube.Reaches(points[i]) ? within : beyond).push_back(i);
+      sorted.push_back(this->Cube.ToUnit(points[number]));
     }
-    this->SumBeyond(points, beyond, values, gradients, monitor);
-    if (beyond.empty())
-    {
-      const KernelSumPlan plan(this->Tree, points, this->Cube);
-      this->Sum(plan, values, gradients, monitor);
-      return;
-    }
-    std::vector<Point3> some;
-    for (const std::size_t i : within)
-    {
-      some.push_back(points[i]);
-    }
-    std::vector<double> someValues;
-    std::vector<Vector3> someGradients;
-    this->ValuesAt(some, someValues, gradients ? &someGradients : nullptr, monitor);
-    for (std::size_t k = 0; k < within.size(); ++k)
-    {
-      values[within[k]] = someValues[k];
-      if (gradients)
+    ForPieces(runs.size(), BoxesPerPiece, this->Threads, monitor,
+      [&](std::size_t from, std::size_t to)
       {
-        (*gradients)[within[k]] = someGradients[k];
-      }
-    }
+        for (std::size_t i = from; i < to; ++i)
+        {
+          this->SumRun(
+            *this->Around, this->LocalAround, runs[i], { sorted, numbers }, values, gradients);
+        }
+      });
+    this->SumBeyond(points, beyond, values, gradients, monitor);
   }
 
   double SampledError(const std::vector<double>& values, int samples) const
@@ -385,25 +405,68 @@ private:
       });
   }
 
-  /// Far, down, and near, for one set of targets.
-  void Sum(const KernelSumPlan& plan, std::vector<double>& values, std::vector<Vector3>* gradients,
-    Monitor& monitor) const
+  /// Points [From, To) of a sorted list that lie in one leaf of a plan.
+  struct Run
   {
-    Expansions local;
+    std::int32_t Leaf;
+    std::int32_t From;
+    std::int32_t To;
+  };
+
+  /// Places in the unit cube, and where their results go.
+  struct SortedPlaces
+  {
+    const std::vector<Point3>& Places;
+    const std::vector<std::int32_t>& Numbers;
+  };
+
+  /// Sorts points by the leaf around them; those beyond the cube are listed apart.
+  std::vector<Run> RunsOf(const std::vector<Point3>& points, std::vector<std::int32_t>& numbers,
+    std::vector<std::size_t>& beyond) const
+  {
+    std::vector<std::int32_t> leafOf(points.size(), -1);
+    std::vector<std::int32_t> next(this->Around->Leaves().size() + 1, 0);
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+      if (!this->Cube.Contains(points[i]))
+      {
+        beyond.push_back(i);
+        continue;
+      }
+      const KernelOctree& tree = this->Around->Targets();
+      leafOf[i] = this->LeafNumber[tree.LeafAround(this->Cube.ToUnit(points[i]))];
+      ++next[leafOf[i] + 1];
+    }
+    std::vector<Run> runs;
+    for (std::size_t leaf = 0; leaf + 1 < next.size(); ++leaf)
+    {
+      next[leaf + 1] += next[leaf];
+      for (std::int32_t from = next[leaf]; from < next[leaf + 1]; from += PointsPerRun)
+      {
+        runs.push_back(
+          { static_cast<std::int32_t>(leaf), from, std::min(next[leaf + 1], from + PointsPerRun) });
+      }
+    }
+    numbers.resize(points.size() - beyond.size());
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+      if (leafOf[i] >= 0)
+      {
+        numbers[next[leafOf[i]]++] = static_cast<std::int32_t>(i);
+      }
+    }
+    return runs;
+  }
+
+  /// The local expansions of all boxes of a plan's targets.
+  void Expand(const KernelSumPlan& plan, Expansions& local, Monitor& monitor) const
+  {
     local.Reset(plan.Targets(), this->Orders);
     this->AddFar(plan, local, monitor);
-    for (int level = 2; level < plan.Targets().Levels(); ++level)
+    for (int level = FirstFarLevel + 1; level < plan.Targets().Levels(); ++level)
     {
       this->PassDown(plan, level, local, monitor);
     }
-    ForPieces(plan.Leaves().size(), BoxesPerPiece, this->Threads, monitor,
-      [&](std::size_t from, std::size_t to)
-      {
-        for (std::size_t i = from; i < to; ++i)
-        {
-          this->SumLeaf(plan, i, local, values, gradients);
-        }
-      });
   }
 
   void AddFar(const KernelSumPlan& plan, Expansions& local, Monitor& monitor) const
@@ -462,28 +525,27 @@ private:
       });
   }
 
-  void SumLeaf(const KernelSumPlan& plan, std::size_t number, const Expansions& local,
-    std::vector<double>& values, std::vector<Vector3>* gradients) const
+  void SumRun(const KernelSumPlan& plan, const Expansions& local, const Run& run,
+    const SortedPlaces& places, std::vector<double>& values, std::vector<Vector3>* gradients) const
   {
-    const std::int32_t leaf = plan.Leaves()[number];
+    const std::int32_t leaf = plan.Leaves()[run.Leaf];
     const OctreeBox& box = plan.Targets().Boxes()[leaf];
-    const std::vector<Point3>& points = plan.Targets().Points();
-    for (std::int32_t from = box.From; from < box.To; from += ExpansionLanes)
+    const SourceRange* near = plan.NearBegin(run.Leaf);
+    const std::size_t count = plan.NearCount(run.Leaf);
+    for (std::int32_t from = run.From; from < run.To; from += ExpansionLanes)
     {
-      const std::int32_t to = std::min(box.To, from + ExpansionLanes);
+      const std::int32_t to = std::min(run.To, from + ExpansionLanes);
       Lane value{};
       LanePoints gradient;
       if (plan.HasFar(leaf))
       {
-        this->Expand(box, local.Of(leaf), LocalBlock(points, box, from, to), value,
+        this->Expand(box, local.Of(leaf), LocalBlock(places.Places, box, from, to), value,
           gradients ? &gradient : nullptr);
       }
-      const LanePoints at = UnitBlock(points, from, to);
-      const SourceRange* near = plan.NearBegin(number);
-      const std::size_t count = plan.NearCount(number);
+      const LanePoints at = UnitBlock(places.Places, from, to);
       gradients ? AddNearGradients(this->Sources, near, count, at, value, gradient)
                 : AddNearValues(this->Sources, near, count, at, value);
-      this->Store(plan, from, to, value, gradient, values, gradients);
+      this->Store(places.Numbers.data() + from, to - from, value, gradient, values, gradients);
     }
   }
 
@@ -507,18 +569,16 @@ private:
   }
 
   /// Back from the unit cube: s has the third power of its size, its gradient the second.
-  void Store(const KernelSumPlan& plan, std::int32_t from, std::int32_t to, const Lane& value,
+  void Store(const std::int32_t* numbers, std::int32_t count, const Lane& value,
     const LanePoints& gradient, std::vector<double>& values, std::vector<Vector3>* gradients) const
   {
     const double size2 = this->Cube.Size * this->Cube.Size;
-    for (std::int32_t i = from; i < to; ++i)
+    for (std::int32_t b = 0; b < count; ++b)
     {
-      const std::int32_t number = plan.Targets().Numbers()[i];
-      const int b = i - from;
-      values[number] = size2 * this->Cube.Size * value[b];
+      values[numbers[b]] = size2 * this->Cube.Size * value[b];
       if (gradients)
       {
-        (*gradients)[number] = { size2 * gradient.X[b], size2 * gradient.Y[b],
+        (*gradients)[numbers[b]] = { size2 * gradient.X[b], size2 * gradient.Y[b],
           size2 * gradient.Z[b] };
       }
     }
@@ -562,6 +622,10 @@ private:
   std::vector<int> NextOrders;
   std::vector<int> Orders; ///< of each level
   Expansions Moments;
+  std::unique_ptr<KernelSumPlan> Around; ///< for points anywhere in the cube; made on first use
+  std::vector<std::int32_t> LeafNumber;  ///< of each of its boxes
+  Expansions LocalAround;
+  bool Prepared = false;
 };
 
 FastKernelSum::FastKernelSum(const std::vector<Point3>& centres, double accuracy, int threads)
@@ -593,7 +657,7 @@ std::vector<double> FastKernelSum::ValuesAtCentres(Monitor& monitor)
   return this->Inside->ValuesAtCentres(monitor);
 }
 
-std::vector<double> FastKernelSum::Values(const std::vector<Point3>& points, Monitor& monitor) const
+std::vector<double> FastKernelSum::Values(const std::vector<Point3>& points, Monitor& monitor)
 {
   std::vector<double> values;
   this->Inside->ValuesAt(points, values, nullptr, monitor);
@@ -601,7 +665,7 @@ std::vector<double> FastKernelSum::Values(const std::vector<Point3>& points, Mon
 }
 
 void FastKernelSum::ValuesAndGradients(const std::vector<Point3>& points,
-  std::vector<double>& values, std::vector<Vector3>& gradients, Monitor& monitor) const
+  std::vector<double>& values, std::vector<Vector3>& gradients, Monitor& monitor)
 {
   this->Inside->ValuesAt(points, values, &gradients, monitor);
 }

@@ -69,14 +69,18 @@ public:
   /// s(c_j), in the order in which the centres were given.
   std::vector<double> ValuesAtCentres(Monitor& monitor);
 
-  /// s at any points. Those further from the centres than their bounding cube's edge are summed
-  /// directly.
-  std::vector<double> Values(const std::vector<Point3>& points, Monitor& monitor) const;
+  /**
+   * s at any points. The first call after SetWeights expands s in all boxes around the centres
+   * (about three times ValuesAtCentres), the others only look up. What comes out is a function of
+   * the point alone, whatever is asked for beside it. Points far from the centres, by a quarter of
+   * their extent or more, are summed directly.
+   */
+  std::vector<double> Values(const std::vector<Point3>& points, Monitor& monitor);
 
   /// s and its gradient, whose error is at most 100 a / (largest extent of the centres) times the
   /// same sum.
   void ValuesAndGradients(const std::vector<Point3>& points, std::vector<double>& values,
-    std::vector<Vector3>& gradients, Monitor& monitor) const;
+    std::vector<Vector3>& gradients, Monitor& monitor);
 
   /**
    * The largest |values[j] - s(c_j)| with s summed exactly, over about so many centres spread over

@@ -23,10 +23,10 @@ std::uint64_t Spread(std::uint64_t v)
   return v;
 }
 
-/// The cell of the deepest level along one axis; the root begins at 2^Deepest.
+/// The cell of the deepest level along one axis.
 std::uint64_t CellOf(double unit)
 {
-  return static_cast<std::uint64_t>(std::floor(std::ldexp(unit + 1, Deepest)));
+  return static_cast<std::uint64_t>(unit * (1 << Deepest));
 }
 
 std::uint64_t KeyOf(const Point3& unit)
@@ -69,19 +69,21 @@ RootCube RootCube::Around(const std::vector<Point3>& points)
   const double longest = std::max({ extent[0], extent[1], extent[2] });
   if (longest > 0)
   {
-    // Strictly larger, so that no point lies on the upper faces.
-    cube.Size = std::ldexp(1.0, std::ilogb(longest) + 1);
+    cube.Size = std::ldexp(1.0, std::ilogb(1.5 * longest) + 1);
   }
+  cube.Low = 0.5 * (cube.Low + high) - 0.5 * cube.Size * Vector3{ 1, 1, 1 };
   return cube;
 }
 
-bool RootCube::Reaches(const Point3& x) const
+bool RootCube::Contains(const Point3& x) const
 {
   const Point3 unit = this->ToUnit(x);
-  return std::all_of(unit.begin(), unit.end(), [](double u) { return u >= -1 && u < 2 - 1e-9; });
+  return std::all_of(unit.begin(), unit.end(), [](double u) { return u >= 0 && u < 1; });
 }
 
-KernelOctree::KernelOctree(const std::vector<Point3>& points, const RootCube& cube)
+KernelOctree::KernelOctree() : OfPoints(false), Nodes(1), LevelStart({ 0, 1 }) {}
+
+KernelOctree::KernelOctree(const std::vector<Point3>& points, const RootCube& cube) : OfPoints(true)
 {
   std::vector<std::pair<std::uint64_t, std::int32_t>> order;
   order.reserve(points.size());
@@ -99,20 +101,12 @@ KernelOctree::KernelOctree(const std::vector<Point3>& points, const RootCube& cu
     this->Order.push_back(number);
     this->Sorted.push_back(cube.ToUnit(points[number]));
   }
-  this->LevelStart = { 0 };
-  const auto count = static_cast<std::int32_t>(points.size());
-  for (std::int32_t from = 0; from < count;)
+  if (!points.empty())
   {
-    const std::uint64_t root = this->Keys[from] >> (3 * Deepest);
-    std::int32_t to = from + 1;
-    while (to < count && this->Keys[to] >> (3 * Deepest) == root)
-    {
-      ++to;
-    }
-    this->Nodes.push_back(BoxOf(this->Sorted[from], 0, from, to));
-    from = to;
+    this->Nodes.emplace_back();
+    this->Nodes.back().To = static_cast<std::int32_t>(points.size());
   }
-  this->LevelStart.push_back(static_cast<int>(this->Nodes.size()));
+  this->LevelStart = { 0, static_cast<int>(this->Nodes.size()) };
 }
 
 void KernelOctree::AppendChildren(std::int32_t box)
@@ -136,6 +130,24 @@ void KernelOctree::AppendChildren(std::int32_t box)
     static_cast<std::int32_t>(this->Nodes.size()) - this->Nodes[box].FirstChild;
 }
 
+void KernelOctree::AppendAllChildren(std::int32_t box)
+{
+  const OctreeBox parent = this->Nodes[box];
+  this->Nodes[box].FirstChild = static_cast<std::int32_t>(this->Nodes.size());
+  this->Nodes[box].Children = 8;
+  for (int octant = 0; octant < 8; ++octant)
+  {
+    OctreeBox child;
+    child.Level = parent.Level + 1;
+    child.Parent = box;
+    for (int a = 0; a < 3; ++a)
+    {
+      child.Cell[a] = 2 * parent.Cell[a] + ((octant >> a) & 1);
+    }
+    this->Nodes.push_back(child);
+  }
+}
+
 bool KernelOctree::SplitLastLevel(const std::function<bool(int)>& wanted)
 {
   const int level = this->Levels() - 1;
@@ -149,7 +161,7 @@ bool KernelOctree::SplitLastLevel(const std::function<bool(int)>& wanted)
   {
     if (wanted(box))
     {
-      this->AppendChildren(box);
+      this->OfPoints ? this->AppendChildren(box) : this->AppendAllChildren(box);
     }
   }
   if (static_cast<int>(this->Nodes.size()) == end)
@@ -160,12 +172,26 @@ bool KernelOctree::SplitLastLevel(const std::function<bool(int)>& wanted)
   return true;
 }
 
+std::int32_t KernelOctree::LeafAround(const Point3& unit) const
+{
+  const std::uint64_t x = CellOf(unit[0]);
+  const std::uint64_t y = CellOf(unit[1]);
+  const std::uint64_t z = CellOf(unit[2]);
+  std::int32_t box = 0;
+  for (int shift = Deepest - 1; !this->Nodes[box].IsLeaf(); --shift)
+  {
+    const auto octant = (x >> shift & 1) | (y >> shift & 1) << 1 | (z >> shift & 1) << 2;
+    box = this->Nodes[box].FirstChild + static_cast<std::int32_t>(octant);
+  }
+  return box;
+}
+
 Point3 KernelOctree::CentreOf(const OctreeBox& box)
 {
   Point3 centre{};
   for (int a = 0; a < 3; ++a)
   {
-    centre[a] = std::ldexp(box.Cell[a] + 0.5, -box.Level) - 1;
+    centre[a] = std::ldexp(box.Cell[a] + 0.5, -box.Level);
   }
   return centre;
 }

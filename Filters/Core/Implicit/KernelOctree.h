@@ -21,17 +21,17 @@ struct RootCube
   Point3 Low{ 0, 0, 0 };
   double Size = 1;
 
+  /// Around the points, with at least a quarter of their extent on every side.
   static RootCube Around(const std::vector<Point3>& points);
   Point3 ToUnit(const Point3& x) const { return (1 / this->Size) * (x - this->Low); }
-  /// In the cube, or in one of the 26 of its size around it?
-  bool Reaches(const Point3& x) const;
+  bool Contains(const Point3& x) const;
 };
 
-/// A cube with at least one point; its points are a run in the order of the tree.
+/// A cube; its points are a run in the order of the tree.
 struct OctreeBox
 {
   int Level = 0;
-  std::array<std::int32_t, 3> Cell{}; ///< in cubes of this level; the root's low corner is 2^Level
+  std::array<std::int32_t, 3> Cell{}; ///< in cubes of this level
   std::int32_t From = 0;
   std::int32_t To = 0;
   std::int32_t Parent = -1;
@@ -45,16 +45,16 @@ struct OctreeBox
 /**
  * @class KernelOctree
  * @brief Boxes are stored by level, those of one level along a Morton curve.
- *
- * Points may lie in the 26 cubes around the root as well: then level 0 has several boxes.
  */
 class KernelOctree
 {
 public:
   /// Boxes smaller than Size / 2^DeepestLevel are not split.
-  static constexpr int DeepestLevel = 19;
+  static constexpr int DeepestLevel = 20;
 
-  /// @param points all within reach of the cube
+  /// No points: splitting a box makes all its eight children.
+  KernelOctree();
+  /// @param points all in the cube. Only boxes with points are kept.
   KernelOctree(const std::vector<Point3>& points, const RootCube& cube);
 
   /// Splits those boxes of the last level for which that is true; false where there is none.
@@ -68,13 +68,17 @@ public:
   const std::vector<Point3>& Points() const { return this->Sorted; }
   /// The number, as given, of the i-th point in the order of the tree.
   const std::vector<std::int32_t>& Numbers() const { return this->Order; }
+  /// The leaf around a place in the unit cube, in a tree without points.
+  std::int32_t LeafAround(const Point3& unit) const;
   static Point3 CentreOf(const OctreeBox& box);
   /// Half an edge, in the unit cube.
   static double HalfWidthOf(int level);
 
 private:
   void AppendChildren(std::int32_t box);
+  void AppendAllChildren(std::int32_t box);
 
+  bool OfPoints;
   std::vector<std::uint64_t> Keys;
   std::vector<std::int32_t> Order;
   std::vector<Point3> Sorted;

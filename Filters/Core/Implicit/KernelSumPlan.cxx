@@ -10,9 +10,10 @@ namespace
 {
 /// Pairs of points up to which two far boxes are summed directly: a translation costs as much.
 constexpr std::int64_t DirectPairs = 256;
-/// Pairs of points that make it pay to split a box of targets once more: some 40 translations for
-/// each of its children.
-constexpr std::int64_t SplitPairs = 40000;
+/// Places that are expected in a box of the plan for everywhere.
+constexpr std::int64_t ExpectedPlaces = 32;
+/// Points near a box of that plan that make it split.
+constexpr std::int64_t ManyNear = 1024;
 /// Far pairs in a piece of work.
 constexpr std::size_t ChunkPairs = 2048;
 
@@ -38,14 +39,13 @@ KernelSumPlan::KernelSumPlan(const KernelOctree& sources) : Sources(sources)
   this->Finish();
 }
 
-KernelSumPlan::KernelSumPlan(
-  const KernelOctree& sources, const std::vector<Point3>& targets, const RootCube& cube)
+KernelSumPlan::KernelSumPlan(const KernelOctree& sources, Everywhere)
   : Sources(sources),
-    Own(std::make_unique<KernelOctree>(targets, cube))
+    Own(std::make_unique<KernelOctree>())
 {
   this->TouchingStart = { 0 };
   this->VisitLevel(0);
-  while (this->Own->SplitLastLevel([this](int box) { return this->PaysToSplit(box); }))
+  while (this->Own->SplitLastLevel([this](int box) { return this->HasManyNear(box); }))
   {
     this->VisitLevel(this->Own->Levels() - 1);
   }
@@ -61,9 +61,9 @@ void KernelSumPlan::VisitLevel(int level)
     const std::int32_t parent = targets.Boxes()[t].Parent;
     if (parent < 0)
     {
-      for (std::int32_t root = 0; root < (boxes.empty() ? 0 : this->Sources.LevelEnd(0)); ++root)
+      if (!boxes.empty())
       {
-        this->Meet(t, root);
+        this->Meet(t, 0);
       }
     }
     else
@@ -91,7 +91,8 @@ void KernelSumPlan::Meet(std::int32_t target, std::int32_t source)
     (s.IsLeaf() ? this->NearBoxes : this->Touching).push_back({ target, source });
     return;
   }
-  if (static_cast<std::int64_t>(t.Count()) * s.Count() <= DirectPairs)
+  const std::int64_t places = this->Own ? ExpectedPlaces : t.Count();
+  if (places * s.Count() <= DirectPairs)
   {
     this->NearBoxes.push_back({ target, source });
     return;
@@ -101,14 +102,14 @@ void KernelSumPlan::Meet(std::int32_t target, std::int32_t source)
   this->FarClass.push_back(turned.Class);
 }
 
-bool KernelSumPlan::PaysToSplit(std::int32_t target) const
+bool KernelSumPlan::HasManyNear(std::int32_t target) const
 {
   std::int64_t sources = 0;
   for (std::size_t i = this->TouchingStart[target]; i < this->TouchingStart[target + 1]; ++i)
   {
     sources += this->Sources.Boxes()[this->Touching[i].Source].Count();
   }
-  return sources * this->Targets().Boxes()[target].Count() > SplitPairs;
+  return sources > ManyNear;
 }
 
 void KernelSumPlan::Finish()

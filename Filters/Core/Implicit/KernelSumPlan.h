@@ -45,9 +45,11 @@ class KernelSumPlan
 public:
   /// From a tree's points to themselves; the tree is shared.
   explicit KernelSumPlan(const KernelOctree& sources);
-  /// From a tree's points to others, whose boxes are made as small as pays.
-  KernelSumPlan(
-    const KernelOctree& sources, const std::vector<Point3>& targets, const RootCube& cube);
+  /// From a tree's points to any place in the root cube: boxes are split until few points are near.
+  struct Everywhere
+  {
+  };
+  KernelSumPlan(const KernelOctree& sources, Everywhere);
 
   const KernelOctree& Targets() const { return this->Own ? *this->Own : this->Sources; }
   const std::vector<FarPair>& Pairs() const { return this->Far; }
@@ -74,7 +76,7 @@ private:
 
   void VisitLevel(int level);
   void Meet(std::int32_t target, std::int32_t source);
-  bool PaysToSplit(std::int32_t target) const;
+  bool HasManyNear(std::int32_t target) const;
   void Finish();
   void SortFar();
   void AppendChunk(std::size_t from, std::size_t to);
