@@ -124,12 +124,16 @@ void OutlineDrawn(const std::vector<DrawnImage>& drawn, std::vector<ReferenceSli
   }
 }
 
-/// Images that the reference lists, of known plane or not.
-std::set<std::string> ListedImages(DcmItem& data)
+/// Images that the reference lists in a frame of reference, of known plane or not.
+std::set<std::string> ListedImages(DcmItem& data, const std::string& frameOfReference)
 {
   std::set<std::string> listed;
   for (DcmItem* frame : ItemsOf(data, DCM_ReferencedFrameOfReferenceSequence))
   {
+    if (GetText(*frame, DCM_FrameOfReferenceUID) != frameOfReference)
+    {
+      continue;
+    }
     for (DcmItem* study : ItemsOf(*frame, DCM_RTReferencedStudySequence))
     {
       for (DcmItem* series : ItemsOf(*study, DCM_RTReferencedSeriesSequence))
@@ -216,9 +220,18 @@ void StructureSetReference::TakeStructureSet(const std::string& path, Monitor& m
   this->Kind = KindOfReference::StructureSet;
   this->FileNames = { path };
   this->TakeFrameOfReference();
+  const std::set<std::string> listed = ListedImages(this->Data(), this->FrameOfReferenceUID);
   std::vector<ReferenceSlice> slices = this->SlicesDrawnOn(path, monitor);
-  const std::size_t listed = std::max(slices.size(), ListedImages(this->Data()).size());
-  this->Slices = ReferenceSlices(std::move(slices), listed);
+  if (ItemsOf(this->Data(), DCM_ReferencedFrameOfReferenceSequence).size() > 1)
+  {
+    // Coordinates of two frames of reference have nothing to do with each other.
+    slices.erase(
+      std::remove_if(slices.begin(), slices.end(),
+        [&listed](const ReferenceSlice& slice) { return listed.count(slice.InstanceUID) == 0; }),
+      slices.end());
+  }
+  const std::size_t count = std::max(slices.size(), listed.size());
+  this->Slices = ReferenceSlices(std::move(slices), count);
 }
 
 void StructureSetReference::TakeFrameOfReference()
@@ -239,7 +252,7 @@ void StructureSetReference::TakeFrameOfReference()
   {
     this->Report.push_back("The reference has " + std::to_string(frames.size()) +
       " frames of reference; the new ROIs are written in the first, " + this->FrameOfReferenceUID +
-      ".");
+      ", and refer to its images only.");
   }
   if (frames.empty())
   {

@@ -381,6 +381,42 @@ TEST_F(StructureSetFormatter, ReferenceSlicesAreTheImagesByHeight)
   }
 }
 
+TEST_F(StructureSetFormatter, OnlyImagesOfOneFrameOfReferenceAreReferredTo)
+{
+  StructureSetBuilder builder;
+  FillReference(builder, Range(10), 10);
+  // The upper five images go to a frame of reference of their own.
+  DcmItem* first = nullptr;
+  DcmItem* second = nullptr;
+  DcmItem& data = builder.Data();
+  ASSERT_TRUE(data.findAndGetSequenceItem(DCM_ReferencedFrameOfReferenceSequence, first, 0).good());
+  ASSERT_TRUE(
+    data.findOrCreateSequenceItem(DCM_ReferencedFrameOfReferenceSequence, second, -2).good());
+  recon::CopyElement(*first, DCM_RTReferencedStudySequence, *second);
+  recon::Put(*second, DCM_FrameOfReferenceUID, "1.2.3.10");
+  const auto keep = [](DcmItem& frame, int from, int to)
+  {
+    DcmItem& study = *recon::ItemsOf(frame, DCM_RTReferencedStudySequence).at(0);
+    DcmItem& series = *recon::ItemsOf(study, DCM_RTReferencedSeriesSequence).at(0);
+    for (int i = 9; i >= 0; --i)
+    {
+      if (i < from || i >= to)
+      {
+        series.findAndDeleteSequenceItem(DCM_ContourImageSequence, i);
+      }
+    }
+  };
+  keep(*first, 0, 5);
+  keep(*second, 5, 10);
+  builder.Save(this->Name("reference.dcm"));
+  this->Options.Reference = this->Name("reference.dcm");
+  const std::vector<std::string> report = this->Write({ this->Stack({ 6, 21 }) });
+  EXPECT_EQ(this->ImagesOfLast(this->Load()), (std::vector<std::string>{ ImageUID(2), "" }));
+  ASSERT_EQ(report.size(), 2u);
+  EXPECT_NE(report[0].find("2 frames of reference"), std::string::npos) << report[0];
+  EXPECT_EQ(recon::ItemsOf(this->Load(), DCM_ReferencedFrameOfReferenceSequence).size(), 2u);
+}
+
 TEST_F(StructureSetFormatter, ReplacesAFileThatIsThere)
 {
   this->Folder::Write("new.dcm", "something else");
