@@ -14,11 +14,11 @@ constexpr int MaximumSteps = 8;
 }
 
 BoundedField::BoundedField(
-  const ImplicitFunction& function, const Bounds& box, bool closed, int threads)
-  : Function(function),
+  const ImplicitFunction& function, const Bounds& box, bool closed, int threads, Monitor& monitor)
+  : Function(function, threads),
     Limits(box),
     ClosedAtBox(closed),
-    Threads(threads)
+    Stop(monitor)
 {
 }
 
@@ -41,7 +41,7 @@ double BoundedField::BoxValue(const Point3& x, int& axis, double& sign) const
 
 std::vector<double> BoundedField::Values(const std::vector<Point3>& points) const
 {
-  std::vector<double> values = this->Function.Evaluate(points, this->Threads);
+  std::vector<double> values = this->Function.Values(points, this->Stop);
   if (this->ClosedAtBox)
   {
     for (std::size_t i = 0; i < points.size(); ++i)
@@ -57,8 +57,7 @@ std::vector<double> BoundedField::Values(const std::vector<Point3>& points) cons
 void BoundedField::Evaluate(const std::vector<Point3>& points, std::vector<double>& values,
   std::vector<Vector3>& gradients) const
 {
-  values = this->Function.Evaluate(points, this->Threads);
-  gradients = this->Function.EvaluateGradients(points, this->Threads);
+  this->Function.ValuesAndGradients(points, values, gradients, this->Stop);
   if (!this->ClosedAtBox)
   {
     return;

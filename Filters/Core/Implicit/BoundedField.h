@@ -9,7 +9,8 @@
 #ifndef recon_BoundedField_h
 #define recon_BoundedField_h
 
-#include "ImplicitFunction.h"
+#include "FunctionEvaluator.h"
+#include "SubMonitor.h"
 
 #include <array>
 #include <vector>
@@ -29,7 +30,9 @@ using Bounds = std::array<double, 6>;
 class BoundedField
 {
 public:
-  BoundedField(const ImplicitFunction& function, const Bounds& box, bool closed, int threads);
+  /// @param monitor is asked, while values are computed, whether to stop; outlives this.
+  BoundedField(const ImplicitFunction& function, const Bounds& box, bool closed, int threads,
+    Monitor& monitor);
 
   std::vector<double> Values(const std::vector<Point3>& points) const;
   /// Values and gradients of g at once.
@@ -50,10 +53,10 @@ public:
 private:
   double BoxValue(const Point3& x, int& axis, double& sign) const;
 
-  const ImplicitFunction& Function;
+  FunctionEvaluator Function;
   Bounds Limits;
   bool ClosedAtBox;
-  int Threads;
+  mutable AbortMonitor Stop;
 };
 
 /// The bounding box of points; throws Error where there is none or one holds a NaN.

@@ -277,7 +277,7 @@ ContourSet TraceContours(const ImplicitFunction& function, const std::vector<Poi
   const Bounds box = ChooseBounds(seeds, options.Box);
   const double cell = ChooseCellSize(seeds, options.CellSize);
   CheckCellCount(BoundsOf(seeds), box, cell, options.MaximumCells);
-  const BoundedField field(function, box, true, options.Threads);
+  const BoundedField field(function, box, true, options.Threads, monitor);
   SubMonitor tracking(monitor, 0, 0.3);
   const SurfaceTracker surface(
     field, Lattice(box, cell, true), seeds, options.MaximumCells, tracking);

@@ -382,7 +382,7 @@ ImplicitMesh Polygonize(const ImplicitFunction& function, const std::vector<Poin
   result.CellSize = ChooseCellSize(seeds, options.CellSize);
   CheckCellCount(BoundsOf(seeds), box, result.CellSize, options.MaximumCells);
 
-  const BoundedField field(function, box, options.ClosedAtBounds, options.Threads);
+  const BoundedField field(function, box, options.ClosedAtBounds, options.Threads, monitor);
   const Lattice lattice(box, result.CellSize, options.ClosedAtBounds);
   SubMonitor tracking(monitor, 0, 0.3);
   const SurfaceTracker tracker(field, lattice, seeds, options.MaximumCells, tracking);

@@ -32,6 +32,22 @@ private:
   double From;
   double To;
 };
+
+/**
+ * @class AbortMonitor
+ * @brief Hands on the wish to stop, and no progress: for steps whose share of the whole is not
+ * known.
+ */
+class AbortMonitor final : public Monitor
+{
+public:
+  explicit AbortMonitor(Monitor& parent) : Parent(parent) {}
+
+  bool AbortRequested() override { return this->Parent.AbortRequested(); }
+
+private:
+  Monitor& Parent;
+};
 }
 
 #endif
