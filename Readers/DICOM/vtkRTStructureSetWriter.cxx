@@ -3,6 +3,8 @@
 
 #include "ClosedLoops.h"
 #include "ContourConversion.h"
+#include "Contours/ContourSetBuilder.h"
+#include "Keyholes.h"
 #include "StructureSetFormatter.h"
 #include "vtkContourMonitor.h"
 
@@ -145,8 +147,9 @@ recon::WrittenContour ContourOf(
 class ContourCollector
 {
 public:
-  ContourCollector(std::vector<std::string>& report, recon::Monitor& monitor)
-    : Report(report),
+  ContourCollector(bool keyholes, std::vector<std::string>& report, recon::Monitor& monitor)
+    : Keyholes(keyholes),
+      Report(report),
       Monitor(monitor)
   {
   }
@@ -163,7 +166,10 @@ private:
     this->Contours.emplace_back(cell, std::move(contour));
   }
   void Sort(recon::LoopSoup& soup, vtkStringArray* types);
+  void AddClosed(const recon::LoopSoup& closed);
+  void AddKeyholes(const recon::LoopSoup& closed, const std::string& where);
 
+  const bool Keyholes;
   std::vector<std::string>& Report;
   recon::Monitor& Monitor;
   bool OnlyVertices = false;
@@ -196,6 +202,34 @@ void ContourCollector::Sort(recon::LoopSoup& soup, vtkStringArray* types)
   soup.Chains = std::move(rest);
 }
 
+void ContourCollector::AddClosed(const recon::LoopSoup& closed)
+{
+  for (const recon::LoopSoup::Chain& chain : closed.Chains)
+  {
+    this->Add(chain.Source,
+      ContourOf(closed, chain, chain.ExclusiveOr ? "CLOSEDPLANAR_XOR" : "CLOSED_PLANAR"));
+  }
+}
+
+void ContourCollector::AddKeyholes(const recon::LoopSoup& closed, const std::string& where)
+{
+  recon::ContourSetOptions options;
+  options.Parallel = false;
+  const recon::ContourSet set = recon::BuildContourSet(closed, options, this->Monitor);
+  for (recon::KeyholeContour& keyhole : recon::JoinHoles(set))
+  {
+    recon::WrittenContour contour;
+    contour.Points = std::move(keyhole.Points);
+    contour.GeometricType = "CLOSED_PLANAR";
+    contour.Where = "cell " + std::to_string(keyhole.Source);
+    this->Add(keyhole.Source, std::move(contour));
+  }
+  for (const std::string& line : set.Report)
+  {
+    this->Report.push_back(where + ": " + line);
+  }
+}
+
 void ContourCollector::Collect(vtkPolyData* piece, recon::WrittenROI& roi)
 {
   if (piece->GetNumberOfCells() == 0)
@@ -218,10 +252,13 @@ void ContourCollector::Collect(vtkPolyData* piece, recon::WrittenROI& roi)
   const recon::LoopSoup closed = recon::CloseLoops(std::move(converted.Soup),
     where + ", where the cell array GeometricType does not say OPEN_PLANAR, holds", looseVertices,
     this->Monitor);
-  for (const recon::LoopSoup::Chain& chain : closed.Chains)
+  if (this->Keyholes && !closed.Chains.empty())
   {
-    this->Add(chain.Source,
-      ContourOf(closed, chain, chain.ExclusiveOr ? "CLOSEDPLANAR_XOR" : "CLOSED_PLANAR"));
+    this->AddKeyholes(closed, where);
+  }
+  else
+  {
+    this->AddClosed(closed);
   }
   std::stable_sort(this->Contours.begin(), this->Contours.end(),
     [](const auto& a, const auto& b) { return a.first < b.first; });
@@ -287,16 +324,19 @@ recon::StructureSetOptions OptionsOf(vtkRTStructureSetWriter* writer)
   return options;
 }
 
-std::vector<recon::WrittenROI> ROIsOf(vtkDataObject* input, const std::string& name,
-  const std::string& type, std::vector<std::string>& report, recon::Monitor& monitor)
+std::vector<recon::WrittenROI> ROIsOf(
+  vtkRTStructureSetWriter* writer, std::vector<std::string>& report, recon::Monitor& monitor)
 {
-  const std::vector<Block> blocks = BlocksOf(input);
+  const std::string name = TextOrEmpty(writer->GetROIName());
+  const std::string type = TextOrEmpty(writer->GetROIType());
+  const std::vector<Block> blocks = BlocksOf(writer->GetInput());
   if (!name.empty() && blocks.size() > 1)
   {
     throw recon::Error("ROIName names one ROI, and the input has " + std::to_string(blocks.size()) +
       " blocks: pick one by Extract Block, or leave it empty.");
   }
-  ContourCollector collector(report, monitor);
+  const bool keyholes = writer->GetHoles() == vtkRTStructureSetWriter::Keyholes;
+  ContourCollector collector(keyholes, report, monitor);
   std::vector<recon::WrittenROI> rois;
   for (const Block& block : blocks)
   {
@@ -360,8 +400,7 @@ void vtkRTStructureSetWriter::WriteData()
   {
     vtkContourMonitor monitor(this);
     std::vector<std::string> report;
-    std::vector<recon::WrittenROI> rois = ROIsOf(
-      this->GetInput(), TextOrEmpty(this->ROIName), TextOrEmpty(this->ROIType), report, monitor);
+    std::vector<recon::WrittenROI> rois = ROIsOf(this, report, monitor);
     const std::vector<std::string> more =
       recon::WriteStructureSet(this->FileName, std::move(rois), OptionsOf(this), monitor);
     report.insert(report.end(), more.begin(), more.end());

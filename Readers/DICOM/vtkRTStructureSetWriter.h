@@ -50,7 +50,8 @@ public:
   enum HolesAs
   {
     SeparateContours,
-    ExclusiveOr
+    ExclusiveOr,
+    Keyholes
   };
 
   enum GenerationAlgorithms
@@ -133,10 +134,12 @@ public:
   /**
    * SeparateContours (default): every closed contour is CLOSED_PLANAR, and one within another is
    * taken for a hole by convention. ExclusiveOr: CLOSEDPLANAR_XOR, for which the standard says so,
-   * but which systems from before 2017 do not know. An ROI with a contour of that type is written
-   * that way in any case.
+   * but which systems from before 2017 do not know. Keyholes: each hole is joined to what is around
+   * it by a bridge that is walked in both directions, for systems that know no holes; contours are
+   * cleaned first, as vtkContourHierarchy does. An ROI with a contour of type CLOSEDPLANAR_XOR is
+   * written that way but for Keyholes.
    */
-  vtkSetClampMacro(Holes, int, SeparateContours, ExclusiveOr);
+  vtkSetClampMacro(Holes, int, SeparateContours, Keyholes);
   vtkGetMacro(Holes, int);
   ///@}
 

@@ -129,6 +129,26 @@ hierarchy = ct.data(simple.ContourHierarchy(Input=read("xor.dcm")))
 depth = rt.blocks(hierarchy)[0][1].GetCellData().GetArray("Depth")
 ct.check(sorted(depth.GetValue(i) for i in range(depth.GetNumberOfTuples())) == [0, 1], "a hole comes back as a hole")
 
+# Keyholes: one walk, which is an outline and a hole again where it is read.
+square = [(0, 0, 2), (9, 0, 2), (9, 9, 2), (0, 9, 2)]
+holes = [[(x, y, 2), (x + 1, y, 2), (x + 1, y + 1, 2), (x, y + 1, 2)] for x, y in ((1, 1), (4, 6), (7, 2))]
+island = [(4.25, 6.25, 2), (4.75, 6.25, 2), (4.5, 6.75, 2)]
+loops = [square] + holes + [island]
+firsts = [sum(map(len, loops[:i])) for i in range(len(loops))]
+swiss = source_of([p for loop in loops for p in loop],
+                  lines=[[f + i for i in range(len(loop))] + [f] for f, loop in zip(firsts, loops)])
+write("keyholes.dcm", swiss, Holes="Keyholes", ROIName="Swiss")
+keyholes = read("keyholes.dcm")
+block = rt.blocks(ct.data(keyholes))[0][1]
+lengths = sorted(block.GetCell(i).GetNumberOfPoints() - 1 for i in range(block.GetNumberOfLines()))
+ct.check(lengths == [3, 4 + 3 * 4 + 3 * 2], f"a walk of all four loops and three bridges, and the island: {lengths}")
+st.check_validity(path("keyholes.dcm"))
+before, after = (ct.data(simple.ContourHierarchy(Input=s)) for s in (swiss, keyholes))
+after = rt.blocks(after)[0][1]
+areas = [sorted(round(d.GetCellData().GetArray("SignedArea").GetValue(i), 9) for i in range(d.GetNumberOfCells()))
+         for d in (before, after)]
+ct.check(len(areas[0]) == 5 and areas[0] == areas[1], f"the hierarchy of the walk is that of the loops: {areas}")
+
 # ParaView's own way, with a reference: its ROIs come along, the new one under another name.
 write("part.dcm", lung, ReferenceFileName=path("reference.dcm"))
 names = [name for name, _ in rt.blocks(ct.data(read("part.dcm")))]

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Keyholes.h"
+
+#include "DisjointSets.h"
+
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <tuple>
+#include <utility>
+
+namespace recon
+{
+namespace
+{
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = Kernel::Point_2;
+using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<int, Kernel>;
+using FaceBase = CGAL::Constrained_triangulation_face_base_2<Kernel>;
+using Structure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
+using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure>;
+
+/// An outer contour and its holes.
+class Region
+{
+public:
+  Region(const ContourSet& set, const std::vector<int>& contours) : Set(set), Contours(contours) {}
+
+  /// The walks around the region, as indices into the set's points.
+  std::vector<std::vector<int>> Walks();
+
+private:
+  /// A vertex of a contour, with its neighbours; points that contours share have several.
+  struct Corner
+  {
+    int Before;
+    int After;
+    int Contour; ///< index into Contours
+  };
+
+  Point At(int point) const
+  {
+    const Point2& p = this->Set.Planar[static_cast<std::size_t>(point)];
+    return Point(p[0], p[1]);
+  }
+  CGAL::Orientation Turn(int a, int b, int c) const
+  {
+    return CGAL::orientation(this->At(a), this->At(b), this->At(c));
+  }
+
+  void AddEdges();
+  void AddBridges();
+  bool IsInside(int from, int to) const;
+  bool IsBetween(const Corner& corner, int at, int to) const;
+  bool ComesFirst(int at, int from, int a, int b) const;
+  int Next(int from, int at) const;
+
+  const ContourSet& Set;
+  const std::vector<int>& Contours;
+  std::map<int, std::vector<Corner>> Corners;
+  std::map<int, std::vector<int>> Outgoing; ///< ends of the directed edges that leave a point
+};
+
+void Region::AddEdges()
+{
+  for (std::size_t c = 0; c < this->Contours.size(); ++c)
+  {
+    const std::vector<int>& points =
+      this->Set.Contours[static_cast<std::size_t>(this->Contours[c])].Points;
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+      const int before = points[(i + points.size() - 1) % points.size()];
+      const int after = points[(i + 1) % points.size()];
+      this->Corners[points[i]].push_back({ before, after, static_cast<int>(c) });
+      this->Outgoing[points[i]].push_back(after);
+    }
+  }
+}
+
+/// Whether the direction to a point lies strictly in the corner, which has the region on its left.
+bool Region::IsBetween(const Corner& corner, int at, int to) const
+{
+  const bool leftOfBefore = this->Turn(corner.Before, at, to) == CGAL::LEFT_TURN;
+  const bool leftOfAfter = this->Turn(at, corner.After, to) == CGAL::LEFT_TURN;
+  const bool isConvex = this->Turn(corner.Before, at, corner.After) == CGAL::LEFT_TURN;
+  return isConvex ? leftOfBefore && leftOfAfter : leftOfBefore || leftOfAfter;
+}
+
+/// Of an edge that crosses no contour, whether it lies in the region.
+bool Region::IsInside(int from, int to) const
+{
+  const std::vector<Corner>& corners = this->Corners.at(from);
+  return std::all_of(corners.begin(), corners.end(),
+    [&](const Corner& corner) { return this->IsBetween(corner, from, to); });
+}
+
+void Region::AddBridges()
+{
+  Triangulation triangulation;
+  std::map<int, Triangulation::Vertex_handle> vertices;
+  for (const auto& [point, corners] : this->Corners)
+  {
+    vertices[point] = triangulation.insert(this->At(point));
+    vertices[point]->info() = point;
+  }
+  DisjointSets connected(this->Contours.size());
+  for (const auto& [point, corners] : this->Corners)
+  {
+    for (const Corner& corner : corners)
+    {
+      triangulation.insert_constraint(vertices[point], vertices[corner.After]);
+      connected.Join(corners.front().Contour, corner.Contour);
+    }
+  }
+  std::vector<std::tuple<double, int, int>> candidates;
+  for (const auto& edge : triangulation.finite_edges())
+  {
+    if (edge.first->is_constrained(edge.second))
+    {
+      continue;
+    }
+    const int a = edge.first->vertex(Triangulation::cw(edge.second))->info();
+    const int b = edge.first->vertex(Triangulation::ccw(edge.second))->info();
+    if (this->IsInside(a, b) && this->IsInside(b, a))
+    {
+      candidates.emplace_back(
+        CGAL::squared_distance(this->At(a), this->At(b)), std::min(a, b), std::max(a, b));
+    }
+  }
+  std::sort(candidates.begin(), candidates.end());
+  for (const auto& [length, a, b] : candidates)
+  {
+    const int one = this->Corners.at(a).front().Contour;
+    const int other = this->Corners.at(b).front().Contour;
+    if (connected.Find(one) != connected.Find(other))
+    {
+      connected.Join(one, other);
+      this->Outgoing[a].push_back(b);
+      this->Outgoing[b].push_back(a);
+    }
+  }
+}
+
+/// Whether a is met before b on turning clockwise about a point, from the direction to another.
+bool Region::ComesFirst(int at, int from, int a, int b) const
+{
+  // Quarters of the turn: less than half, half, more than half, the whole.
+  const auto quarter = [&](int to)
+  {
+    const CGAL::Orientation turn = this->Turn(at, from, to);
+    return to == from ? 3 : turn == CGAL::RIGHT_TURN ? 0 : turn == CGAL::COLLINEAR ? 1 : 2;
+  };
+  const int ofA = quarter(a);
+  const int ofB = quarter(b);
+  return ofA != ofB ? ofA < ofB : this->Turn(at, a, b) == CGAL::RIGHT_TURN;
+}
+
+int Region::Next(int from, int at) const
+{
+  const std::vector<int>& ends = this->Outgoing.at(at);
+  return *std::min_element(
+    ends.begin(), ends.end(), [&](int a, int b) { return this->ComesFirst(at, from, a, b); });
+}
+
+std::vector<std::vector<int>> Region::Walks()
+{
+  this->AddEdges();
+  this->AddBridges();
+  std::vector<std::vector<int>> walks;
+  std::set<std::pair<int, int>> walked;
+  for (const auto& [start, ends] : this->Outgoing)
+  {
+    for (const int end : ends)
+    {
+      std::vector<int> walk;
+      std::pair<int, int> edge(start, end);
+      while (walked.insert(edge).second)
+      {
+        walk.push_back(edge.first);
+        edge = { edge.second, this->Next(edge.first, edge.second) };
+      }
+      if (!walk.empty())
+      {
+        walks.push_back(std::move(walk));
+      }
+    }
+  }
+  return walks;
+}
+}
+
+std::vector<KeyholeContour> JoinHoles(const ContourSet& set)
+{
+  std::map<int, std::vector<int>> regions;
+  for (std::size_t c = 0; c < set.Contours.size(); ++c)
+  {
+    const Contour& contour = set.Contours[c];
+    regions[contour.Depth % 2 == 0 ? static_cast<int>(c) : contour.Parent].push_back(
+      static_cast<int>(c));
+  }
+  std::vector<KeyholeContour> joined;
+  for (const auto& [outer, contours] : regions)
+  {
+    const Contour& contour = set.Contours[static_cast<std::size_t>(outer)];
+    const std::vector<std::vector<int>> walks = contours.size() == 1
+      ? std::vector<std::vector<int>>{ contour.Points }
+      : Region(set, contours).Walks();
+    for (const std::vector<int>& walk : walks)
+    {
+      KeyholeContour keyhole;
+      keyhole.Source = contour.Source;
+      for (const int point : walk)
+      {
+        keyhole.Points.push_back(set.Points[static_cast<std::size_t>(point)]);
+      }
+      joined.push_back(std::move(keyhole));
+    }
+  }
+  return joined;
+}
+}
