@@ -22,6 +22,7 @@ ConstraintOptions ConstraintOptionsOf(Filter* filter)
   options.Values = static_cast<ConstraintOptions::ValuesType>(filter->GetValues());
   options.Normals = static_cast<ConstraintOptions::NormalsType>(filter->GetNormals());
   options.MarginDistance = filter->GetMarginDistance();
+  options.ReachAcrossSteps = filter->GetReachAcrossSteps();
   options.MergeBox = filter->GetMergeBox();
   options.ResampleSpacing = filter->GetResampleSpacing();
   options.ResampleTolerance = filter->GetResampleTolerance();

@@ -85,6 +85,17 @@ public:
 
   ///@{
   /**
+   * Let margins reach as far as the next slice, where that says otherwise of the place: for few
+   * slices of a shape with flat ends or steps. Parallel planes and Values Distance only. Default:
+   * off.
+   */
+  vtkSetMacro(ReachAcrossSteps, bool);
+  vtkGetMacro(ReachAcrossSteps, bool);
+  vtkBooleanMacro(ReachAcrossSteps, bool);
+  ///@}
+
+  ///@{
+  /**
    * Points of crossing planes that fit in a box of this part of the bounding box become their
    * centroid (thesis 9.1, which uses 0.05). 0, the default: none.
    */
@@ -133,6 +144,7 @@ private:
   int Values = Distance;
   int Normals = Refined;
   double MarginDistance = 0.0;
+  bool ReachAcrossSteps = false;
   double MergeBox = 0.0;
   double ResampleSpacing = 0.0;
   double ResampleTolerance = 0.0;

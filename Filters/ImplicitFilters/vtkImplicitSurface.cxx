@@ -77,6 +77,7 @@ void vtkImplicitSurface::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Values: " << this->Values << "\n";
   os << indent << "Normals: " << this->Normals << "\n";
   os << indent << "MarginDistance: " << this->MarginDistance << "\n";
+  os << indent << "ReachAcrossSteps: " << this->ReachAcrossSteps << "\n";
   os << indent << "MergeBox: " << this->MergeBox << "\n";
   os << indent << "ResampleSpacing: " << this->ResampleSpacing << "\n";
   os << indent << "ResampleTolerance: " << this->ResampleTolerance << "\n";

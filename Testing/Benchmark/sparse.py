@@ -257,6 +257,8 @@ def reconstruct(case, properties):
         found["ISM, 4 parallel"] = with_ism(case, case.parallel, properties)
         found["PSM, 4 parallel"] = with_psm(case, case.parallel)
         itk["ITK, 4 parallel"] = drawing(case.parallel)
+    else:
+        found["ISM, ReachAcrossSteps"] = with_ism(case, case.drawn, dict(properties, ReachAcrossSteps=1))
     planes = [{"offset": offset, "truth": flat(loops), "found": {m: flat(found[m][i]) for m in found}}
               for i, (offset, loops) in enumerate(case.left_out)]
     return {"name": case.name, "axis": case.axis, "grid": case.grid, "planes": planes, "itk": itk}

@@ -3,6 +3,7 @@
 
 #include "PlanarEdges.h"
 #include "PointGrid.h"
+#include "SubMonitor.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,6 +25,14 @@ constexpr double ParallelSine = 1e-2;
 /// Merged margins that cancel to less than this part of d have no common side.
 constexpr double LeastMergedMargin = 0.2;
 
+/// How far margins reach across a step, in parts of the distance to the level that makes it; the
+/// first that has room counts.
+constexpr double StepReaches[] = { 1, 0.7 };
+/// A reaching margin keeps this part of its reach from all contours of its level.
+constexpr double StepRoom = 0.8;
+/// Contours of the other level count up to this many times the distance between the levels.
+constexpr double StepHorizon = 10;
+
 /// A contour vertex with the margins on its two sides.
 struct VertexMargins
 {
@@ -32,6 +41,8 @@ struct VertexMargins
   Point3 Outer{};
   double InnerDistance = 0; ///< to the contour; 0 = there is no room for this margin
   double OuterDistance = 0;
+  double InnerValue = 0; ///< estimated distance to the surface: less than that to the contour where
+  double OuterValue = 0; ///< the surface lies nearer above or below
   int Contour = -1;
   int Level = -1;
 };
@@ -99,6 +110,8 @@ public:
     const double right = along - 0.5 * this->SectorFrom(v, along, next, -1);
     margins.InnerDistance = this->Place(v, left, PlanarEdges::Inside, margins.Inner);
     margins.OuterDistance = this->Place(v, right, PlanarEdges::Outside, margins.Outer);
+    margins.InnerValue = margins.InnerDistance;
+    margins.OuterValue = margins.OuterDistance;
     return margins;
   }
 
@@ -176,6 +189,168 @@ std::vector<VertexMargins> AllMargins(const ContourSet& contours, double distanc
     }
   }
   return all;
+}
+
+/**
+ * Lets margins reach across steps: where the next level says otherwise of the place that lies as
+ * far from the vertex, within the level, as the next level does. There the surface lies flat and
+ * between the levels, which a short margin of unit slope denies: the surface would rise upright
+ * from the contour and bulge. The value is the distance to a plane that cuts the level at the
+ * contour and the line to the next level where shape-based interpolation has the surface.
+ */
+class StepMargins
+{
+public:
+  explicit StepMargins(const ContourSet& contours) : Contours(contours)
+  {
+    for (int level = 0; level < static_cast<int>(contours.Levels.size()); ++level)
+    {
+      this->Edges.emplace_back(contours, level);
+      this->Order.push_back(level);
+    }
+    std::sort(this->Order.begin(), this->Order.end(),
+      [this](int a, int b) { return this->HeightOf(a) < this->HeightOf(b); });
+    this->Rank.resize(this->Order.size());
+    for (std::size_t r = 0; r < this->Order.size(); ++r)
+    {
+      this->Rank[this->Order[r]] = r;
+    }
+  }
+
+  /// Only parallel levels lie next to one another.
+  static bool Apply(const ContourSet& contours)
+  {
+    const Vector3& normal = contours.Levels.front().Frame.Normal;
+    return std::all_of(contours.Levels.begin(), contours.Levels.end(),
+      [&normal](const Level& level)
+      { return Norm(Cross(level.Frame.Normal, normal)) < ParallelSine; });
+  }
+
+  void Reach(int vertex, VertexMargins& m) const
+  {
+    this->Reach(vertex, m, PlanarEdges::Inside, m.Inner, m.InnerDistance, m.InnerValue);
+    this->Reach(vertex, m, PlanarEdges::Outside, m.Outer, m.OuterDistance, m.OuterValue);
+  }
+
+private:
+  double HeightOf(int level) const
+  {
+    const Vector3& normal = this->Contours.Levels.front().Frame.Normal;
+    const Level& l = this->Contours.Levels[level];
+    return l.Offset * (Dot(l.Frame.Normal, normal) < 0 ? -1 : 1);
+  }
+
+  std::vector<int> NeighboursOf(int level) const
+  {
+    std::vector<int> neighbours;
+    const std::size_t rank = this->Rank[level];
+    if (rank > 0)
+    {
+      neighbours.push_back(this->Order[rank - 1]);
+    }
+    if (rank + 1 < this->Order.size())
+    {
+      neighbours.push_back(this->Order[rank + 1]);
+    }
+    return neighbours;
+  }
+
+  void Reach(int vertex, const VertexMargins& m, PlanarEdges::SideType side, Point3& place,
+    double& distance, double& value) const
+  {
+    if (!(distance > 0))
+    {
+      return;
+    }
+    const Vector3 direction = (1 / Norm(place - m.Vertex)) * (place - m.Vertex);
+    for (const double part : StepReaches)
+    {
+      for (const int next : this->NeighboursOf(m.Level))
+      {
+        const double reach = part * std::abs(this->HeightOf(next) - this->HeightOf(m.Level));
+        const Point3 there = m.Vertex + reach * direction;
+        const double room = this->RoomAt(vertex, m.Level, there, side, reach);
+        if (!(reach > distance && room >= StepRoom * reach))
+        {
+          continue;
+        }
+        const double away = this->SurfaceAwayFrom(m.Level, there, side, room);
+        if (away > 0)
+        {
+          place = there;
+          distance = room;
+          value = room * away / std::hypot(room, away);
+          return;
+        }
+      }
+    }
+  }
+
+  /// Distance to the contours of the level, 0 on the wrong side of one.
+  double RoomAt(
+    int vertex, int level, const Point3& there, PlanarEdges::SideType side, double reach) const
+  {
+    const PlanarEdges& edges = this->Edges[level];
+    const PlanarFrame& frame = this->Contours.Levels[level].Frame;
+    const Point2 at = frame.ToPlane(there);
+    const Point2& from = this->Contours.Planar[vertex];
+    if (edges.SideOf(at) != side || edges.CrossesOthers(vertex, from, at))
+    {
+      return 0;
+    }
+    return std::min(edges.DistanceToOwn(vertex, at), edges.DistanceToOthers(vertex, at, reach));
+  }
+
+  /// How far above or below the surface lies by shape-based interpolation (the ratio of the
+  /// distances to the contours of both levels); 0 where no neighbour says otherwise of the place.
+  double SurfaceAwayFrom(
+    int level, const Point3& there, PlanarEdges::SideType side, double room) const
+  {
+    double least = 0;
+    for (const int next : this->NeighboursOf(level))
+    {
+      const PlanarEdges& edges = this->Edges[next];
+      const Point2 at = this->Contours.Levels[next].Frame.ToPlane(there);
+      const PlanarEdges::SideType other = edges.SideOf(at);
+      if (other == side || other == PlanarEdges::On)
+      {
+        continue;
+      }
+      const double gap = std::abs(this->HeightOf(next) - this->HeightOf(level));
+      const double horizon = StepHorizon * gap;
+      const double far = std::min(edges.DistanceToOthers(-1, at, horizon), horizon);
+      const double away = room / (room + far) * gap;
+      least = least > 0 ? std::min(least, away) : away;
+    }
+    return least;
+  }
+
+  const ContourSet& Contours;
+  std::vector<PlanarEdges> Edges;
+  std::vector<int> Order; ///< of the levels, by height
+  std::vector<std::size_t> Rank;
+};
+
+void ReachAcrossSteps(
+  const ContourSet& contours, std::vector<VertexMargins>& margins, Monitor& monitor)
+{
+  if (!StepMargins::Apply(contours))
+  {
+    return;
+  }
+  const StepMargins steps(contours);
+  std::size_t i = 0;
+  for (const Level& level : contours.Levels)
+  {
+    monitor.Update(static_cast<double>(i) / margins.size(), "placing the margins");
+    for (const int c : level.Contours)
+    {
+      for (const int vertex : contours.Contours[c].Points)
+      {
+        steps.Reach(vertex, margins[i++]);
+      }
+    }
+  }
 }
 
 /// Groups of points of crossing planes that fit in one small box (thesis 9.1).
@@ -297,8 +472,8 @@ VertexMargins Centroid(const std::vector<VertexMargins>& margins, const std::vec
   const Vector3 outer = centroid(&VertexMargins::Outer, &VertexMargins::OuterDistance);
   mean.Inner = mean.Vertex + inner;
   mean.Outer = mean.Vertex + outer;
-  mean.InnerDistance = Norm(inner);
-  mean.OuterDistance = Norm(outer);
+  mean.InnerDistance = mean.InnerValue = Norm(inner);
+  mean.OuterDistance = mean.OuterValue = Norm(outer);
   return mean;
 }
 
@@ -358,11 +533,11 @@ void AppendMargins(const std::vector<VertexMargins>& margins, bool unit, Constra
     Append(set, m.Vertex, 0, ConstraintSet::Boundary, m.Contour);
     if (m.InnerDistance > 0)
     {
-      Append(set, m.Inner, unit ? 1 : m.InnerDistance, ConstraintSet::Inner, m.Contour);
+      Append(set, m.Inner, unit ? 1 : m.InnerValue, ConstraintSet::Inner, m.Contour);
     }
     if (m.OuterDistance > 0)
     {
-      Append(set, m.Outer, unit ? -1 : -m.OuterDistance, ConstraintSet::Outer, m.Contour);
+      Append(set, m.Outer, unit ? -1 : -m.OuterValue, ConstraintSet::Outer, m.Contour);
     }
     missing += (m.InnerDistance > 0 ? 0 : 1) + (m.OuterDistance > 0 ? 0 : 1);
   }
@@ -467,7 +642,13 @@ ConstraintSet BuildInPlaneConstraints(
   CheckConstraintInput(contours, options);
   ConstraintSet set;
   set.MarginDistance = ChooseMarginDistance(contours, options);
-  std::vector<VertexMargins> margins = AllMargins(contours, set.MarginDistance, monitor);
+  SubMonitor placing(monitor, 0, 0.5);
+  std::vector<VertexMargins> margins = AllMargins(contours, set.MarginDistance, placing);
+  SubMonitor reaching(monitor, 0.5, 1);
+  if (options.ReachAcrossSteps && options.Values == ConstraintOptions::Distance)
+  {
+    ReachAcrossSteps(contours, margins, reaching);
+  }
   if (options.MergeBox > 0)
   {
     margins = MergeAtCrossings(contours, margins, options.MergeBox, set.MarginDistance, set.Report);

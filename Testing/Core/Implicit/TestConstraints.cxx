@@ -177,6 +177,37 @@ TEST(Constraints, AutomaticMarginIsAThirdOfTheSpacing)
   EXPECT_NEAR(Build(maker.Finish()).MarginDistance, spacing / 3, 1e-12);
 }
 
+TEST(Constraints, MarginsReachAcrossAStep)
+{
+  // A wide disc, and 2 above it a narrow one: a step 6 wide inside the lower circle, outside the
+  // upper one.
+  handmade::Maker maker;
+  maker.AddCircle(maker.AddLevel({ 0, 0, 1 }, 0), { 0, 0 }, 10, 60);
+  maker.AddCircle(maker.AddLevel({ 0, 0, 1 }, 2), { 0, 0 }, 4, 60);
+  const ContourSet contours = maker.Finish();
+  ConstraintOptions options;
+  options.ReachAcrossSteps = true;
+  const ConstraintSet set = Build(contours, options);
+  ASSERT_EQ(set.Points.size(), 3u * 120);
+  ExpectProperMargins(contours, set);
+  for (std::size_t i = 0; i < set.Points.size(); ++i)
+  {
+    const int level = contours.Contours[static_cast<std::size_t>(set.Contour[i])].Level;
+    const double distance = DistanceToLevel(contours, level, set.Points[i]);
+    if (set.Kind[i] == (level == 0 ? ConstraintSet::Inner : ConstraintSet::Outer))
+    {
+      // As far as the levels are apart; there the surface is 2 of 6 parts of the way to the other.
+      EXPECT_NEAR(distance, 2, 0.02);
+      EXPECT_NEAR(std::abs(set.Values[i]), 2 * (2.0 / 3) / std::hypot(2, 2.0 / 3), 0.02);
+    }
+    else if (set.Kind[i] != ConstraintSet::Boundary)
+    {
+      EXPECT_LE(distance, set.MarginDistance * (1 + 1e-9));
+      EXPECT_NEAR(std::abs(set.Values[i]), distance, 1e-12);
+    }
+  }
+}
+
 TEST(Constraints, CornersOfTheBoundingBox)
 {
   const ContourSet contours = TwoDiscsWithHole();
