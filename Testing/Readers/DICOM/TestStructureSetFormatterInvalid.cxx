@@ -192,6 +192,51 @@ TEST_F(StructureSetFormatterInvalid, ReferenceWithDamagedContours)
   this->ExpectRefused("expected a number", "reference.dcm");
 }
 
+TEST_F(StructureSetFormatterInvalid, DamagedReferencesEndInASentenceOrAWholeFile)
+{
+  StructureSetBuilder builder;
+  FillReference(builder, { 0, 1, 2 }, 4);
+  builder.Save(this->Name("whole.dcm"));
+  const std::string whole = Bytes(this->Name("whole.dcm"));
+  std::mt19937 random(1);
+  int refused = 0;
+  int written = 0;
+  for (int i = 0; i < 400; ++i)
+  {
+    std::string bytes = whole;
+    for (int k = 0; k <= i % 4; ++k)
+    {
+      // Behind the preamble, where nothing is read.
+      bytes[128 + random() % (bytes.size() - 128)] = static_cast<char>(random() & 0xff);
+    }
+    if (i % 8 == 7)
+    {
+      bytes.resize(random() % bytes.size());
+    }
+    this->Options.Reference = this->Folder::Write("reference.dcm", bytes);
+    const std::string sentence = SentenceOf(
+      [&]
+      {
+        recon::WriteStructureSet(
+          this->Name("out/new.dcm"), this->ROIs(), this->Options, this->Monitor);
+      });
+    if (sentence.empty())
+    {
+      ++written;
+      EXPECT_TRUE(recon::StructureSetFile::IsStructureSet(this->Name("out/new.dcm"))) << i;
+      std::filesystem::remove(this->Name("out/new.dcm"));
+    }
+    else
+    {
+      ++refused;
+      EXPECT_EQ(sentence.back(), '.') << sentence;
+    }
+    EXPECT_TRUE(std::filesystem::is_empty(this->Name("out"))) << i;
+  }
+  EXPECT_GT(refused, 50);
+  EXPECT_GT(written, 50);
+}
+
 TEST_F(StructureSetFormatterInvalid, AbortLeavesNoFile)
 {
   class Stop : public recon::Monitor
