@@ -70,7 +70,7 @@ public:
   ///@{
   /**
    * Levels further apart than this many times the median spacing are not joined, but where it is
-   * forced; 0, the default: all are.
+   * forced; 0: all are. Default 5, as of vtkPolyhedralSurface.
    */
   vtkSetClampMacro(MaximumGap, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumGap, double);
@@ -96,7 +96,7 @@ private:
   void operator=(const vtkContourMapping&) = delete;
 
   double OverlapThreshold = 0.1;
-  double MaximumGap = 0;
+  double MaximumGap = 5;
   int Threads = 0;
   std::vector<std::pair<int, int>> ForcedJoins;
   std::vector<std::pair<int, int>> ForbiddenJoins;

@@ -3,6 +3,8 @@
 
 Three levels of the branching pipe's kind, made here: one square below two squares, a small one aside above.
 """
+import math
+
 import contourtesting as ct
 
 simple = ct.load_plugin()
@@ -11,23 +13,33 @@ from vtkmodules.vtkCommonCore import vtkIntArray, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData, vtkTable
 
 
-def squares(*placed):
-    """Closed polylines: (x, y, z, half side) each."""
+def polygons(corners, placed):
+    """Closed polylines: (x, y, z, scale) each of one outline."""
     points, lines = vtkPoints(), vtkCellArray()
     points.SetDataTypeToDouble()
-    for x, y, z, half in placed:
+    for x, y, z, scale in placed:
         first = points.GetNumberOfPoints()
-        for dx, dy in ((-1, -1), (1, -1), (1, 1), (-1, 1)):
-            points.InsertNextPoint(x + dx * half, y + dy * half, z)
-        lines.InsertNextCell(5)
-        for i in (0, 1, 2, 3, 0):
-            lines.InsertCellPoint(first + i)
+        for dx, dy in corners:
+            points.InsertNextPoint(x + dx * scale, y + dy * scale, z)
+        lines.InsertNextCell(len(corners) + 1)
+        for i in range(len(corners) + 1):
+            lines.InsertCellPoint(first + i % len(corners))
     data = vtkPolyData()
     data.SetPoints(points)
     data.SetLines(lines)
     producer = simple.TrivialProducer()
     producer.GetClientSideObject().SetOutput(data)
     return producer
+
+
+def squares(*placed):
+    """(x, y, z, half side) each."""
+    return polygons(((-1, -1), (1, -1), (1, 1), (-1, 1)), placed)
+
+
+def circles(*placed):
+    """(x, y, z, radius) each."""
+    return polygons([(math.cos(a * math.pi / 20), math.sin(a * math.pi / 20)) for a in range(40)], placed)
 
 
 def overrides(*rows):
@@ -77,6 +89,71 @@ lines = [report.GetValue(i) for i in range(report.GetNumberOfValues())] if repor
 ct.check(certificate(forced)["Volume"] > 4 or any("cannot be made" in line for line in lines),
          "a forced join is made, or the report says why not")
 
+# One join, forced and forbidden: a wide circle below, above it one within it and one that leans out of it,
+# each with a circle of its own on top. The leaning one shares 4% of its area, which is not enough by itself.
+forked = circles((0, 0, 0, 2), (-1, 0, 1, 0.9), (2.8, 0, 1, 1), (-1, 0, 2, 0.9), (2.8, 0, 2, 1))
+by_overlap = dict(Mapping="Overlap", EndCaps="Flat")
+expect(simple.PolyhedralSurface(Input=forked, **by_overlap), 2, "a branch that hardly overlaps stays apart")
+expect(simple.PolyhedralSurface(Input=forked, ForcedJoins=[0, 2], **by_overlap), 1, "and is joined by force")
+expect(simple.PolyhedralSurface(Input=forked, ForbiddenJoins=[0, 2], **by_overlap), 2, "the same join forbidden")
+expect(simple.PolyhedralSurface(Input=forked, ForcedJoins=[0, 2], ForbiddenJoins=[0, 1], **by_overlap), 2,
+       "one branch for the other")
+expect(simple.PolyhedralSurface(Input=forked, Mapping="Proximity", EndCaps="Flat"), 1, "all by proximity")
+expect(simple.PolyhedralSurface(Input=forked, ForbiddenJoins=[0, 2], Mapping="Proximity", EndCaps="Flat"), 2,
+       "but for what is forbidden")
+
+
+def check_kept(surface, what):
+    """1 forced onto the other branch's 4 and 0 cut off from 2, on the branching pipe."""
+    ct.check(list(surface.ForcedJoins) == [0, 1] and list(surface.ForbiddenJoins) == [0, 2],
+             f"{what}: the overrides are there")
+    ct.check(surface.Overrides is not None, f"{what}: the table is connected")
+    found = certificate(surface)
+    ct.check(found == expected, f"{what}: the surface is the same: {found}, {expected}")
+
+
+def pipe_with_overrides():
+    path = ct.output("TestPolyhedralJoinsOverrides.csv")
+    with open(path, "w") as file:
+        file.write("LowerContour,UpperContour,Join\n1,3,0\n")
+    reader = simple.NUAGESContourReader(FileName=ct.own("branching_pipe.cnt"))
+    table = simple.CSVReader(FileName=[path])
+    return simple.PolyhedralSurface(Input=reader, Overrides=table, ForcedJoins=[0, 1], ForbiddenJoins=[0, 2])
+
+
+def only_surface(what):
+    found = [p for (name, _), p in simple.GetSources().items() if name.startswith("PolyhedralSurface")]
+    ct.check(len(found) == 1, f"{what} brings the node back")
+    return found[0]
+
+
+# A state file and a Python trace keep them, the table, too.
+simple.ResetSession()
+simple = ct.load_plugin()
+plain = certificate(simple.PolyhedralSurface(Input=simple.NUAGESContourReader(FileName=ct.own("branching_pipe.cnt"))))
+simple.ResetSession()
+simple = ct.load_plugin()
+expected = certificate(pipe_with_overrides())
+ct.check(expected["Components"] > plain["Components"], "the pipe falls apart where joins are forbidden")
+check_kept(only_surface("the test"), "at first")
+state = ct.output("TestPolyhedralJoins.pvsm")
+simple.SaveState(state)
+simple.ResetSession()
+simple = ct.load_plugin()
+simple.LoadState(state)
+check_kept(only_surface("a state file"), "state file")
+
+simple.ResetSession()
+simple = ct.load_plugin()
+from paraview import smtrace
+smtrace.start_trace()
+pipe_with_overrides()
+trace = smtrace.stop_trace()
+simple.ResetSession()
+simple = ct.load_plugin()
+exec(trace, {})
+check_kept(only_surface("a trace"), "trace")
+
 # Half a slice at both ends: area times slices times spacing (issue of every planning system).
 tower = squares((0, 0, 0, 1), (0, 0, 2, 1), (0, 0, 4, 1))
 for caps, volume, added in (("Flat", 16, 0), ("HalfSlice", 24, 8)):
@@ -96,6 +173,19 @@ report = ct.data(dropped).GetFieldData().GetAbstractArray("Report")
 ct.check(report.GetNumberOfValues() == 1 and "left out" in report.GetValue(0), "the lonely square is named")
 kept = expect(simple.PolyhedralSurface(Input=lonely, IsolatedContours="Extrude"), 2, "lonely square extruded")
 ct.check(abs(kept - 12) < 1e-9, f"lonely square extruded: volume {kept}, not 12")
+
+# Two stacks of one region of interest far apart: above one another and side by side.
+two = squares(*[(0, 0, z, 1) for z in (0, 1, 2, 30, 31, 32)])
+for given, parts in (({}, 2), ({"MaximumGap": 28}, 1), ({"MaximumGap": 0}, 1),
+                     ({"ForcedJoins": [2, 3]}, 1)):
+    for mapping in ("Proximity", "Overlap"):
+        expect(simple.PolyhedralSurface(Input=two, Mapping=mapping, **given), parts,
+               f"stacks 28 spacings apart, {mapping}, {given}")
+report = ct.data(simple.PolyhedralSurface(Input=two)).GetFieldData().GetAbstractArray("Report")
+ct.check(report.GetNumberOfValues() == 1 and "28 times the usual spacing apart and are not joined" in report.GetValue(0),
+         "a gap that is not bridged is reported")
+beside = squares(*[(x, 0, z, 1) for z in (0, 1, 2) for x in (0, 30)])
+expect(simple.PolyhedralSurface(Input=beside), 2, "two stacks side by side")
 
 # A gap of five spacings in one stack is bridged or not.
 stack = squares(*[(0, 0, z, 1) for z in (0, 1, 2, 7, 8, 9)])

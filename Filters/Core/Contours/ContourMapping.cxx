@@ -388,6 +388,17 @@ void JoinLonelyRegions(
 }
 }
 
+std::vector<unsigned char> FindGaps(const ContourSet& contours, double maximumGap)
+{
+  const Spacing spacing(contours);
+  std::vector<unsigned char> gaps;
+  for (std::size_t slab = 0; slab < spacing.Gaps.size(); ++slab)
+  {
+    gaps.push_back(spacing.IsTooWide(slab, maximumGap) ? 1 : 0);
+  }
+  return gaps;
+}
+
 ContourMapping BuildContourMapping(
   const ContourSet& contours, const ContourMappingOptions& options, Monitor& monitor)
 {
@@ -400,10 +411,7 @@ ContourMapping BuildContourMapping(
   mapping.Report = std::move(overrides.Report);
 
   const Spacing spacing(contours);
-  for (std::size_t slab = 0; slab < spacing.Gaps.size(); ++slab)
-  {
-    mapping.IsGap.push_back(spacing.IsTooWide(slab, options.MaximumGap) ? 1 : 0);
-  }
+  mapping.IsGap = FindGaps(contours, options.MaximumGap);
   std::vector<SlabMapper> mappers;
   for (std::size_t slab = 0; slab < overrides.OfSlab.size(); ++slab)
   {

@@ -25,6 +25,14 @@ namespace recon
 /// Share of a slab's thickness below which regions that do not overlap are as good as touching.
 constexpr double TouchingShare = 0.1;
 
+/**
+ * Gaps of up to this many spacings are bridged: a few slices that were skipped where little changes
+ * (drawing tools interpolate them, and the widest gap within one shape of the sets at hand is 3
+ * spacings). What is farther apart is two shapes of one name, such as lymph nodes, or two ends of a
+ * stack whose middle is missing, and a bridge would be invented.
+ */
+constexpr double DefaultMaximumGap = 5;
+
 struct ContourMappingOptions
 {
   /// Two solid (or two non-solid) regions are joined where they share more than this part of the
@@ -35,9 +43,7 @@ struct ContourMappingOptions
   /// Pairs of contours whose regions are not joined whatever the overlap; forbidding wins over
   /// forcing.
   std::vector<std::pair<int, int>> ForbiddenJoins;
-  /// Slabs thicker than this many times the median spacing are not bridged, but where a join is
-  /// forced; 0 = every slab is. (The lower median, so that one gap between two slices counts.)
-  double MaximumGap = 0;
+  double MaximumGap = DefaultMaximumGap; ///< see FindGaps; forced joins bridge gaps, too
   int Threads = 0;
 };
 
@@ -99,6 +105,13 @@ struct ContourMapping
   /// A sentence for every override that cannot be followed, and why.
   std::vector<std::string> Report;
 };
+
+/**
+ * Of every slab whether it is thicker than maximumGap times the median spacing; 0 = none is.
+ *
+ * The lower median, so that one gap between two slices counts.
+ */
+std::vector<unsigned char> FindGaps(const ContourSet& contours, double maximumGap);
 
 /**
  * Overlaps, decisions, groups and their filters (thesis 3.2, 3.3).

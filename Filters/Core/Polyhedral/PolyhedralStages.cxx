@@ -80,8 +80,17 @@ private:
   {
     this->Out.Joins.resize(this->LevelCount - 1);
     const bool overlap = this->Options.Mapping == PolyhedralOptions::Overlap;
-    if (!overlap && this->Options.ForbiddenJoins.empty() && this->Options.ForcedJoins.empty() &&
-      this->Options.MaximumGap <= 0)
+    const std::vector<unsigned char> gaps = FindGaps(this->Contours, this->Options.MaximumGap);
+    for (int i = 0; i + 1 < this->LevelCount; ++i)
+    {
+      this->Out.Joins[i].IsGap = gaps[i] != 0;
+      this->Out.Joins[i].AllByDefault = !overlap && gaps[i] == 0;
+      if (gaps[i] != 0)
+      {
+        this->ReportGap(i);
+      }
+    }
+    if (!overlap && this->Options.ForbiddenJoins.empty() && this->Options.ForcedJoins.empty())
     {
       return;
     }
@@ -93,16 +102,23 @@ private:
     options.Threads = this->Options.Threads;
     this->Timed("map contours",
       [&] { this->Out.Mapping = BuildContourMapping(this->Contours, options, this->Observer); });
-    this->Out.Report = this->Out.Mapping.Report;
-    for (int i = 0; i + 1 < this->LevelCount; ++i)
-    {
-      this->Out.Joins[i].IsGap = this->Out.Mapping.IsGap[i] != 0;
-      this->Out.Joins[i].AllByDefault = !overlap && !this->Out.Joins[i].IsGap;
-    }
+    const auto& report = this->Out.Mapping.Report;
+    this->Out.Report.insert(this->Out.Report.end(), report.begin(), report.end());
     for (const ContourJoin& join : this->Out.Mapping.Joins)
     {
       this->UseJoin(join);
     }
+  }
+
+  void ReportGap(int slab)
+  {
+    std::ostringstream line;
+    line << "The levels at offsets " << this->Contours.Levels[slab].Offset << " and "
+         << this->Contours.Levels[slab + 1].Offset << " are "
+         << this->Thickness(slab) / this->MedianThickness()
+         << " times the usual spacing apart and are not joined; MaximumGap is "
+         << this->Options.MaximumGap << ", and 0 joins all.";
+    this->Out.Report.push_back(line.str());
   }
 
   void UseJoin(const ContourJoin& join)
@@ -395,7 +411,10 @@ private:
          << (inPart ? " in part, as it bounds several regions that only touch and one of them is "
                       "joined to no contour of the levels next to it"
                     : ", as it is joined to no contour of the levels next to it")
-         << "; set IsolatedContours to Extrude to keep it as a slice.";
+         << "; set IsolatedContours to Extrude to keep it as a slice"
+         << (this->Options.Mapping == PolyhedralOptions::Overlap
+                ? ", or Mapping to Proximity to join it to what is near."
+                : ".");
     this->Out.Report.push_back(line.str());
   }
 

@@ -7,7 +7,7 @@
 #ifndef recon_PolyhedralSurface_h
 #define recon_PolyhedralSurface_h
 
-#include "../Contours/ContourSet.h"
+#include "../Contours/ContourMapping.h"
 #include "../Mesh/TriangleMesh.h"
 #include "../Monitor.h"
 
@@ -43,8 +43,8 @@ struct PolyhedralOptions
   double OverlapThreshold = 0.1;                   ///< share of the smaller region, in [0, 1)
   std::vector<std::pair<int, int>> ForcedJoins;    ///< pairs of ContourId on adjacent levels
   std::vector<std::pair<int, int>> ForbiddenJoins; ///< wins over ForcedJoins
-  double MaximumGap =
-    0; ///< slabs thicker than this many median spacings are not bridged; 0 = all are
+  /// Slabs thicker than this many median spacings are not bridged; 0 = all are.
+  double MaximumGap = DefaultMaximumGap;
   EndCapsType EndCaps = Flat;
   IsolatedContoursType IsolatedContours = Drop;
   int Threads = 0; ///< 0 = as many as the machine has; the result does not depend on it

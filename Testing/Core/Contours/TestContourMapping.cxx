@@ -295,7 +295,9 @@ ContourSet Gapped()
 TEST(ContourMapping, WideGapsAreNotBridged)
 {
   ContourMappingOptions options;
-  EXPECT_TRUE(Find(Map(Gapped(), options), 2, 3).Joined) << "no limit unless asked for";
+  EXPECT_FALSE(Find(Map(Gapped(), options), 2, 3).Joined) << "wider than the default of 5";
+  options.MaximumGap = 0;
+  EXPECT_TRUE(Find(Map(Gapped(), options), 2, 3).Joined) << "no limit";
   options.MaximumGap = 6;
   EXPECT_TRUE(Find(Map(Gapped(), options), 2, 3).Joined) << "exactly as wide as allowed";
   options.MaximumGap = 5.9;
