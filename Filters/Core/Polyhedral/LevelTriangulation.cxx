@@ -158,10 +158,10 @@ struct LevelTriangulator::Implementation
   void ClassifyFaces();
   void LabelContourEdges();
   void LabelChain(VertexHandle from, VertexHandle to, int contour);
-  void MarkStarInside(VertexHandle v);
+  void MarkStar(VertexHandle v, bool inside);
   bool IsWithinRounding(const Kernel::Point_2& p, FaceHandle face) const;
-  bool MayInsert(const Kernel::Point_2& p, bool mayLieOnCircle, FaceHandle hint, FaceHandle& where,
-    VertexHandle& twin) const;
+  bool MayInsert(const Kernel::Point_2& p, bool inside, bool mayLieOnCircle, FaceHandle hint,
+    FaceHandle& where, VertexHandle& twin) const;
 
   std::vector<VertexHandle> VertexOf; ///< by index into ContourSet::Points
 };
@@ -329,18 +329,19 @@ void LevelTriangulator::Implementation::LabelChain(VertexHandle from, VertexHand
 }
 
 /**
- * p lies in IR, on no other vertex, and in no contour edge's diametral circle.
+ * p lies in IR (or in ER, where it is not to be inside), on no other vertex, and in no contour
+ * edge's diametral circle.
  *
  * `where` is the face that holds p, `twin` an internal point that p repeats within rounding, if
  * any.
  */
-bool LevelTriangulator::Implementation::MayInsert(const Kernel::Point_2& p, bool mayLieOnCircle,
-  FaceHandle hint, FaceHandle& where, VertexHandle& twin) const
+bool LevelTriangulator::Implementation::MayInsert(const Kernel::Point_2& p, bool inside,
+  bool mayLieOnCircle, FaceHandle hint, FaceHandle& where, VertexHandle& twin) const
 {
   Triangulation::Locate_type type;
   int index = 0;
   where = this->Delaunay.locate(p, type, index, hint);
-  if (this->Delaunay.is_infinite(where) || !where->info().Inside)
+  if (where->info().Inside != inside)
   {
     return false;
   }
@@ -356,7 +357,8 @@ bool LevelTriangulator::Implementation::MayInsert(const Kernel::Point_2& p, bool
   {
     for (int k = 0; k < 3; ++k)
     {
-      if (CGAL::squared_distance(f->vertex(k)->point(), p) < nearest * nearest)
+      if (!this->Delaunay.is_infinite(f->vertex(k)) &&
+        CGAL::squared_distance(f->vertex(k)->point(), p) < nearest * nearest)
       {
         twin = f->vertex(k);
         return false;
@@ -371,14 +373,14 @@ bool LevelTriangulator::Implementation::MayInsert(const Kernel::Point_2& p, bool
   return true;
 }
 
-/// Only triangles of IR are replaced by an insertion inside.
-void LevelTriangulator::Implementation::MarkStarInside(VertexHandle v)
+/// An insertion in IR replaces triangles of IR only, one in ER those of ER.
+void LevelTriangulator::Implementation::MarkStar(VertexHandle v, bool inside)
 {
   auto star = this->Delaunay.incident_faces(v);
   const auto end = star;
   do
   {
-    star->info().Inside = true;
+    star->info().Inside = inside;
   } while (++star != end);
 }
 
@@ -415,10 +417,32 @@ LevelTriangulator& LevelTriangulator::operator=(LevelTriangulator&&) noexcept = 
 
 std::vector<Point2> LevelTriangulator::ExternalVoronoiVertices() const
 {
+  return this->VoronoiVertices(false);
+}
+
+std::vector<Point2> LevelTriangulator::InternalVoronoiVertices() const
+{
+  return this->VoronoiVertices(true);
+}
+
+std::vector<int> LevelTriangulator::Locate(const std::vector<Point2>& points) const
+{
+  std::vector<int> triangles;
+  FaceHandle hint;
+  for (const Point2& p : points)
+  {
+    hint = this->Impl->Delaunay.locate({ p[0], p[1] }, hint);
+    triangles.push_back(this->Impl->Delaunay.is_infinite(hint) ? -1 : hint->info().Index);
+  }
+  return triangles;
+}
+
+std::vector<Point2> LevelTriangulator::VoronoiVertices(bool inside) const
+{
   std::vector<Point2> vertices;
   for (auto f : this->Impl->Delaunay.finite_face_handles())
   {
-    if (f->info().Inside)
+    if (f->info().Inside != inside)
     {
       continue;
     }
@@ -437,6 +461,17 @@ std::vector<Point2> LevelTriangulator::ExternalVoronoiVertices() const
 void LevelTriangulator::AddInternalPoints(
   const std::vector<Point2>& candidates, LevelTriangulation::AskedByType askedBy)
 {
+  this->AddPoints(candidates, askedBy);
+}
+
+void LevelTriangulator::AddExternalPoints(const std::vector<Point2>& candidates)
+{
+  this->AddPoints(candidates, LevelTriangulation::External);
+}
+
+void LevelTriangulator::AddPoints(
+  const std::vector<Point2>& candidates, LevelTriangulation::AskedByType askedBy)
+{
   auto& impl = *this->Impl;
   std::vector<Kernel::Point_2> points;
   for (const Point2& candidate : candidates)
@@ -445,13 +480,14 @@ void LevelTriangulator::AddInternalPoints(
     points.emplace_back(p[0], p[1]);
   }
   CGAL::spatial_sort(points.begin(), points.end());
+  const bool inside = askedBy != LevelTriangulation::External;
   const bool mayLieOnCircle = askedBy == LevelTriangulation::EndCap;
   FaceHandle hint;
   for (const auto& p : points)
   {
     FaceHandle where;
     VertexHandle twin;
-    const bool insert = impl.MayInsert(p, mayLieOnCircle, hint, where, twin);
+    const bool insert = impl.MayInsert(p, inside, mayLieOnCircle, hint, where, twin);
     hint = where;
     if (twin != VertexHandle() && twin->info().Kind == PolyhedralSurface::Internal)
     {
@@ -464,7 +500,7 @@ void LevelTriangulator::AddInternalPoints(
     const VertexHandle v = impl.Delaunay.insert(p, where);
     v->info().Kind = PolyhedralSurface::Internal;
     v->info().AskedBy = static_cast<unsigned char>(v->info().AskedBy | askedBy);
-    impl.MarkStarInside(v);
+    impl.MarkStar(v, inside);
     hint = v->face();
   }
 }
@@ -487,7 +523,7 @@ void LevelTriangulator::AddCoverPoints(const std::vector<Point2>& points)
     const VertexHandle v = impl.Delaunay.insert(p, type, hint, index);
     v->info().Kind = PolyhedralSurface::Internal;
     v->info().AskedBy = LevelTriangulation::Cover;
-    impl.MarkStarInside(v);
+    impl.MarkStar(v, true);
     hint = v->face();
   }
   impl.Conform();

@@ -31,8 +31,9 @@ struct LevelTriangulation
   {
     LevelBelow = 1,
     LevelAbove = 2,
-    Cover = 4, ///< neither: gives a part of a contour that nothing faces a thickness
-    EndCap = 8 ///< neither: on the internal skeleton of a region that ends here
+    Cover = 4,    ///< neither: gives a part of a contour that nothing faces a thickness
+    EndCap = 8,   ///< neither: on the internal skeleton of a region that ends here
+    External = 16 ///< neither: outside the contours, over a part of a neighbouring level that ends
   };
 
   std::vector<Point2> Points;
@@ -71,6 +72,13 @@ public:
   /// Vertices of the external Voronoi skeleton, rounded; without repetitions, in a fixed order.
   std::vector<Point2> ExternalVoronoiVertices() const;
 
+  /// The same of the internal Voronoi skeleton.
+  std::vector<Point2> InternalVoronoiVertices() const;
+
+  /// Of every point the triangle of the last Finish() that holds it, -1 outside the hull; nothing
+  /// may have been inserted since.
+  std::vector<int> Locate(const std::vector<Point2>& points) const;
+
   /**
    * Algorithm 6: insert those candidates that lie in IR.
    *
@@ -79,6 +87,9 @@ public:
    */
   void AddInternalPoints(
     const std::vector<Point2>& candidates, LevelTriangulation::AskedByType askedBy);
+
+  /// The same with candidates that lie in ER. No kept tetrahedron has such a point.
+  void AddExternalPoints(const std::vector<Point2>& candidates);
 
   /**
    * Insert points of IR wherever they are, and see to conditions 0-2 again.
@@ -91,6 +102,9 @@ public:
   LevelTriangulation Finish() const;
 
 private:
+  std::vector<Point2> VoronoiVertices(bool inside) const;
+  void AddPoints(const std::vector<Point2>& candidates, LevelTriangulation::AskedByType askedBy);
+
   struct Implementation;
   std::unique_ptr<Implementation> Impl;
 };

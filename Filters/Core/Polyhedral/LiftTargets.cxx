@@ -11,8 +11,10 @@ namespace recon
 {
 namespace
 {
-/// Height that a tapered end gains for a unit of distance from the contour.
-constexpr double TaperSlope = 0.5;
+/// See EndShare.
+constexpr double SlopeOfEnds = 0.5;
+constexpr double HighestEnd = 0.5;
+constexpr double HighestOutermostEnd = 0.25;
 
 class Targets
 {
@@ -73,25 +75,29 @@ private:
     {
       return 0;
     }
-    const double dA = (*this->Side.Distance)(this->Level.Points[point]);
+    const bool tapered = this->Options.EndCaps == PolyhedralOptions::Tapered;
     if (ends)
     {
-      return this->Options.EndCaps == PolyhedralOptions::Tapered ? this->Taper(dA) : 0;
+      return tapered ? this->Side.EndSlab * this->ShareOfEnd(point) : 0;
     }
-    const int askedBy = this->Level.AskedBy[point];
-    const bool asked = this->Options.LiftInternalPoints && (askedBy & this->Side.Towards) != 0;
-    if (!asked && !(askedBy & LevelTriangulation::Cover))
+    const bool cover = (this->Level.AskedBy[point] & LevelTriangulation::Cover) != 0;
+    const bool passedOver = this->Options.LiftInternalPoints && (*this->Side.OutsideOther)[point];
+    if (!cover && !passedOver)
     {
       return 0;
     }
+    const double dA = (*this->Side.Distance)(this->Level.Points[point]);
     const double dB = (*this->Side.OtherDistance)(this->Level.Points[point]);
-    return this->Side.Slab * dA / (dA + dB);
+    const double between = dA / (dA + dB);
+    return this->Side.Slab *
+      (tapered && passedOver ? std::max(between, this->ShareOfEnd(point)) : between);
   }
 
-  double Taper(double distance) const
+  double ShareOfEnd(int point) const
   {
-    return std::copysign(
-      std::min(std::abs(this->Side.EndSlab) / 2, TaperSlope * distance), this->Side.EndSlab);
+    const Point2& p = this->Level.Points[point];
+    return EndShare(
+      p, (*this->Side.Distance)(p), this->Side.BehindDistance, !this->Side.OtherDistance);
   }
 
   const LiftSide& Side;
@@ -99,6 +105,15 @@ private:
   const LevelTriangulation& Level;
   VertexRegions Regions;
 };
+}
+
+double EndShare(const Point2& point, double distance, const PlanarContourDistance* behind,
+  bool beyondOutermostLevel)
+{
+  const double highest = beyondOutermostLevel ? HighestOutermostEnd : HighestEnd;
+  // Without a level behind a wall of one in one, in slabs, is as good a guess as any.
+  const double inset = behind ? (*behind)(point)-distance : distance;
+  return inset * highest <= SlopeOfEnds * distance ? highest : SlopeOfEnds * distance / inset;
 }
 
 std::vector<double> FindLiftTargets(const LiftSide& side, const PolyhedralOptions& options)

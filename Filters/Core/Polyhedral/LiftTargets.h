@@ -4,10 +4,13 @@
  * @brief How far every point of a level should be lifted out of its plane on one side.
  *
  * Internal points (thesis 6.2): to the fraction dA / (dA + dB) of the slab, dA and dB being the
- * distances to the contours of the own level and of the one that asked (shape-based interpolation,
- * where it is exact). Ends: a region from which no solid leaves on a side is capped there, flat, by
- * half a slice (all of its points go up by half the slab), or tapered (the points of its skeleton
- * go up by half the slab or by the slope times the distance to the contour, whichever is less).
+ * distances to the contours of the own level and of the neighbour (shape-based interpolation, where
+ * it is exact). That holds on every side on which the point lies outside the neighbour's contours,
+ * whichever level asked for it: one that stayed in the plane would hold back the ridge beside it.
+ *
+ * Ends: a region from which no solid leaves on a side is capped there, flat, by half a slice (all
+ * of its points go up by half the slab), or tapered (see EndShare). Tapered also rounds off the
+ * parts of a region that end although the region goes on (see PartialEnds.h).
  */
 #ifndef recon_LiftTargets_h
 #define recon_LiftTargets_h
@@ -29,10 +32,28 @@ struct LiftSide
   const Coverage* Covered = nullptr;
   LevelTriangulation::AskedByType Towards = LevelTriangulation::LevelAbove;
   const PlanarContourDistance* OtherDistance =
-    nullptr;          ///< of the neighbour, null where there is none
+    nullptr; ///< of the neighbour, null where there is none
+  const PlanarContourDistance* BehindDistance =
+    nullptr; ///< of the neighbour on the other side, null where there is none
+  const std::vector<unsigned char>* OutsideOther =
+    nullptr;          ///< of every point whether it lies outside the neighbour's contours
   double Slab = 0;    ///< signed distance to the neighbour's plane
   double EndSlab = 0; ///< signed thickness of which a cap takes half
 };
+
+/**
+ * How far a tapered end reaches beyond its plane at a point, as a share of the slab.
+ *
+ * The wall goes on as it came, at half its slope as a dome flattens: where the neighbour behind is
+ * wider by s at a point d inside the contour, that is d / (2 s). At most half a slab, which is what
+ * an end reaches on average that lies anywhere between two slices; a quarter beyond the first and
+ * the last level, as people draw these near to the true ends. Measured on the sets of
+ * Data/TRUTH.md.
+ *
+ * distance: of the point to its own level's contours. behind: null where there is no level.
+ */
+double EndShare(const Point2& point, double distance, const PlanarContourDistance* behind,
+  bool beyondOutermostLevel);
 
 /// Of every point the height to lift it to, NaN where it stays.
 std::vector<double> FindLiftTargets(const LiftSide& side, const PolyhedralOptions& options);

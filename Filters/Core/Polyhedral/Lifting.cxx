@@ -21,8 +21,13 @@ constexpr double LeastVolume = 0.05;
 /// Points go up one at a time; after some rounds nothing much moves any more.
 constexpr int Sweeps = 10;
 
-/// Share of the remaining way below which a step is not worth a try.
+/// Share of the remaining way below which a further step is not worth a try.
 constexpr double SmallestStep = 1.0 / 16;
+
+/// The same of the first step. It is worth much more: a point that stays in its plane between
+/// others that go up is a hole through the ridge, and a step short enough never turns a tetrahedron
+/// over.
+constexpr double SmallestFirstStep = 1e-4;
 
 class SlabLifting
 {
@@ -117,7 +122,9 @@ private:
     }
     const double way = this->Targets[side][point] - from;
     double& height = this->Heights[side][point];
-    for (double fraction = 1; fraction >= SmallestStep; fraction /= 2)
+    const bool first = from == this->Levels[side].Offset;
+    const double smallest = first ? SmallestFirstStep : SmallestStep;
+    for (double fraction = 1; fraction >= smallest; fraction /= 2)
     {
       height = from + fraction * way;
       if (height != from && this->IsSafe(side, point))

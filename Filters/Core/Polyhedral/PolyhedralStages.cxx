@@ -4,9 +4,11 @@
 #include "../Parallel.h"
 #include "Lifting.h"
 #include "LiftTargets.h"
+#include "PartialEnds.h"
 #include "PlanarContourDistance.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <memory>
@@ -153,10 +155,18 @@ private:
   void InsertInternalPoints()
   {
     std::vector<std::vector<Point2>> skeletons(this->LevelCount);
+    this->InternalSkeletons.resize(this->LevelCount);
     if (this->Options.InternalPoints)
     {
       this->ForAll(this->LevelCount, 0.3, 0.35, "tracing Voronoi skeletons",
-        [&](int i) { skeletons[i] = this->Triangulators[i]->ExternalVoronoiVertices(); });
+        [&](int i)
+        {
+          skeletons[i] = this->Triangulators[i]->ExternalVoronoiVertices();
+          if (this->RoundsOffPartialEnds())
+          {
+            this->InternalSkeletons[i] = this->Triangulators[i]->InternalVoronoiVertices();
+          }
+        });
     }
     this->ForAll(this->LevelCount, 0.35, 0.5, "inserting internal points",
       [&](int i)
@@ -212,14 +222,105 @@ private:
     }
   }
 
+  bool RoundsOffPartialEnds() const
+  {
+    return this->Options.InternalPoints && this->Options.LiftInternalPoints &&
+      this->Options.EndCaps == PolyhedralOptions::Tapered;
+  }
+
   const SlabTetrahedra* SlabOrNull(int i) const
   {
     return i >= 0 && i + 1 < this->LevelCount ? &this->Out.Slabs[i] : nullptr;
   }
 
+  const PlanarContourDistance* DistanceOrNull(int i) const
+  {
+    return i >= 0 && i < this->LevelCount ? this->Distances[i].get() : nullptr;
+  }
+
+  /// Of points of every level the triangles of the levels next to it that hold them, or -1.
+  struct Places
+  {
+    std::vector<std::vector<int>> Below, Above;
+  };
+
+  Places LocateInNeighbours(const std::vector<std::vector<Point2>>& points)
+  {
+    Places places;
+    places.Below.resize(this->LevelCount);
+    places.Above.resize(this->LevelCount);
+    // By the level that is asked: no two threads may ask one triangulation.
+    this->ForAll(this->LevelCount, this->Reached, this->Reached, "lifting internal points",
+      [&](int i)
+      {
+        if (i > 0)
+        {
+          places.Above[i - 1] = this->Triangulators[i]->Locate(points[i - 1]);
+        }
+        if (i + 1 < this->LevelCount)
+        {
+          places.Below[i + 1] = this->Triangulators[i]->Locate(points[i + 1]);
+        }
+      });
+    return places;
+  }
+
+  static std::vector<int> InternalPointsOf(const LevelTriangulation& level)
+  {
+    std::vector<int> internal;
+    for (std::size_t p = 0; p < level.Points.size(); ++p)
+    {
+      if (level.Kind[p] == PolyhedralSurface::Internal)
+      {
+        internal.push_back(static_cast<int>(p));
+      }
+    }
+    return internal;
+  }
+
+  void FindPointsOutsideNeighbours()
+  {
+    std::vector<std::vector<Point2>> points(this->LevelCount);
+    for (int i = 0; i < this->LevelCount; ++i)
+    {
+      const auto& level = this->Out.Triangulations[i];
+      for (int p : InternalPointsOf(level))
+      {
+        points[i].push_back(level.Points[p]);
+      }
+    }
+    const Places places = this->LocateInNeighbours(points);
+    this->OutsideBelow.resize(this->LevelCount);
+    this->OutsideAbove.resize(this->LevelCount);
+    for (int i = 0; i < this->LevelCount; ++i)
+    {
+      this->OutsideBelow[i] = this->OutsideOf(i, i - 1, places.Below[i]);
+      this->OutsideAbove[i] = this->OutsideOf(i, i + 1, places.Above[i]);
+    }
+  }
+
+  /// Of every point of a level whether it is internal and lies outside the neighbour's contours.
+  std::vector<unsigned char> OutsideOf(
+    int level, int neighbour, const std::vector<int>& triangles) const
+  {
+    std::vector<unsigned char> outside(this->Out.Triangulations[level].Points.size(), 0);
+    if (neighbour < 0 || neighbour >= this->LevelCount)
+    {
+      return outside;
+    }
+    const auto& other = this->Out.Triangulations[neighbour];
+    const std::vector<int> internal = InternalPointsOf(this->Out.Triangulations[level]);
+    for (std::size_t i = 0; i < internal.size(); ++i)
+    {
+      outside[internal[i]] = triangles[i] < 0 || !other.Inside[triangles[i]] ? 1 : 0;
+    }
+    return outside;
+  }
+
   /// changed: levels whose triangulation is new in this round.
   void LiftPoints(double from, double to, const std::vector<unsigned char>& changed)
   {
+    this->Reached = from;
     this->Distances.resize(this->LevelCount);
     this->ForAll(this->LevelCount, from, from, "lifting internal points",
       [&](int i)
@@ -233,6 +334,7 @@ private:
         this->Out.Coverages[i] = FindCoverage(level, this->SlabOrNull(i - 1), this->SlabOrNull(i),
           this->Options.IsolatedContours == PolyhedralOptions::Extrude);
       });
+    this->FindPointsOutsideNeighbours();
     const auto targets = [&](int level, int neighbour)
     {
       const int other = std::clamp(neighbour, 0, this->LevelCount - 1);
@@ -268,6 +370,8 @@ private:
     side.Covered = &this->Out.Coverages[level];
     side.Towards = sign > 0 ? LevelTriangulation::LevelAbove : LevelTriangulation::LevelBelow;
     side.OtherDistance = exists ? &otherDistance : nullptr;
+    side.BehindDistance = this->DistanceOrNull(level - sign);
+    side.OutsideOther = sign > 0 ? &this->OutsideAbove[level] : &this->OutsideBelow[level];
     side.Slab = exists ? this->Contours.Levels[neighbour].Offset - side.Level->Offset : 0;
     side.EndSlab = sign *
       this->ThicknessForCaps(exists ? std::min(level, neighbour) : (sign > 0 ? level - 1 : level));
@@ -299,15 +403,64 @@ private:
     return this->Contours.Levels[slab + 1].Offset - this->Contours.Levels[slab].Offset;
   }
 
+  /// By slab the points of the lower and of the upper level.
+  std::vector<std::array<std::vector<Point2>, 2>> FindPartialEndsOfSlabs()
+  {
+    std::vector<std::vector<int>> own(this->LevelCount);
+    this->ForAll(this->LevelCount, this->Reached, this->Reached, "rounding off ends",
+      [&](int i) { own[i] = this->Triangulators[i]->Locate(this->InternalSkeletons[i]); });
+    const Places places = this->LocateInNeighbours(this->InternalSkeletons);
+    const auto side = [&](int i, int towards)
+    {
+      const int behind = i - towards;
+      const bool hasBehind = behind >= 0 && behind < this->LevelCount;
+      const auto& other = towards > 0 ? places.Above[i] : places.Below[i];
+      const auto& back = towards > 0 ? places.Below[i] : places.Above[i];
+      return SkeletonSide{ &this->Out.Triangulations[i], this->Distances[i].get(),
+        this->DistanceOrNull(behind), &this->InternalSkeletons[i], &own[i], &other,
+        hasBehind ? &this->Out.Triangulations[behind] : nullptr, &back };
+    };
+    std::vector<std::array<std::vector<Point2>, 2>> ends(this->LevelCount - 1);
+    this->ForAll(this->LevelCount - 1, this->Reached, this->Reached, "rounding off ends",
+      [&](int i) { ends[i] = FindPartialEnds(this->Out.Slabs[i], side(i, 1), side(i + 1, -1)); });
+    return ends;
+  }
+
+  /// Returns whether there were any at that level.
+  bool AddPartialEnds(int level, const std::vector<std::array<std::vector<Point2>, 2>>& endsOfSlabs)
+  {
+    auto& triangulator = *this->Triangulators[level];
+    bool any = false;
+    if (level > 0)
+    {
+      const auto& below = endsOfSlabs[level - 1];
+      triangulator.AddInternalPoints(below[1], LevelTriangulation::LevelBelow);
+      triangulator.AddExternalPoints(below[0]);
+      any = !below[0].empty() || !below[1].empty();
+    }
+    if (level + 1 < this->LevelCount)
+    {
+      const auto& above = endsOfSlabs[level];
+      triangulator.AddInternalPoints(above[0], LevelTriangulation::LevelAbove);
+      triangulator.AddExternalPoints(above[1]);
+      any = any || !above[0].empty() || !above[1].empty();
+    }
+    return any;
+  }
+
   /// Returns whether any level was changed, and which.
   bool AddPointsWhereNeeded(int round, std::vector<unsigned char>& changed)
   {
     const bool taper = round == 0 && this->Options.EndCaps == PolyhedralOptions::Tapered;
     const double from = 0.5 + 0.5 * (round + 1) / Rounds;
+    this->Reached = from;
     changed.assign(this->LevelCount, 0);
     this->Timed("cap ends and cover bare parts",
       [&]
       {
+        const bool partialEnds = taper && this->RoundsOffPartialEnds();
+        const auto ends = partialEnds ? this->FindPartialEndsOfSlabs()
+                                      : std::vector<std::array<std::vector<Point2>, 2>>();
         this->ForAll(this->LevelCount, from, from, "covering bare parts",
           [&](int i)
           {
@@ -316,7 +469,8 @@ private:
             const std::vector<Point2> bare = FindCoverPoints(level, coverage, this->Out.Lifted[i]);
             const std::vector<Point2> caps =
               taper ? FindEndCapPoints(level, coverage) : std::vector<Point2>();
-            if (bare.empty() && caps.empty())
+            const bool anyEnds = partialEnds && this->AddPartialEnds(i, ends);
+            if (bare.empty() && caps.empty() && !anyEnds)
             {
               return;
             }
@@ -429,6 +583,9 @@ private:
   int LevelCount;
   std::vector<std::unique_ptr<LevelTriangulator>> Triangulators;
   std::vector<std::unique_ptr<PlanarContourDistance>> Distances; ///< by level
+  std::vector<std::vector<Point2>> InternalSkeletons; ///< by level; empty where not wanted
+  std::vector<std::vector<unsigned char>> OutsideBelow, OutsideAbove; ///< by level, of its points
+  double Reached = 0; ///< progress at which a stage without a share of its own is
   PolyhedralStages Out;
 };
 }

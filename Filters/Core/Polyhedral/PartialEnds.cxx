@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "PartialEnds.h"
+
+#include "LiftTargets.h"
+
+#include <set>
+#include <utility>
+
+namespace recon
+{
+namespace
+{
+using RegionPair = std::pair<int, int>; ///< on the lower and on the upper level
+
+int RegionAt(const LevelTriangulation& level, int triangle)
+{
+  return triangle < 0 ? -1 : level.Region[triangle];
+}
+
+std::set<RegionPair> JoinedPairs(
+  const SlabTetrahedra& slab, const LevelTriangulation& lower, const LevelTriangulation& upper)
+{
+  std::set<RegionPair> pairs;
+  for (const auto& t : slab.Tetrahedra)
+  {
+    if (t.Reason == SlabTetrahedra::Kept && t.NodeType == SlabTetrahedra::T12)
+    {
+      pairs.emplace(RegionAtEdge(lower, t.Origin[0]), RegionAtEdge(upper, t.Origin[1]));
+    }
+  }
+  return pairs;
+}
+
+/// Whether point i has nothing on either side and the neighbour is the nearer one.
+bool IsNearerThanBehind(const SkeletonSide& side, std::size_t i, double across)
+{
+  return !side.Behind ||
+    (RegionAt(*side.BehindLevel, (*side.BehindTriangles)[i]) < 0 &&
+      across <= (*side.Behind)((*side.Points)[i]));
+}
+
+std::vector<Point2> EndsOf(
+  const SkeletonSide& side, const SkeletonSide& other, const std::set<int>& spared)
+{
+  std::vector<Point2> ends;
+  for (std::size_t i = 0; i < side.Points->size(); ++i)
+  {
+    const int region = RegionAt(*side.Level, (*side.Triangles)[i]);
+    if (region < 0 || RegionAt(*other.Level, (*side.OtherTriangles)[i]) >= 0 ||
+      spared.count(region) > 0)
+    {
+      continue;
+    }
+    const Point2& p = (*side.Points)[i];
+    const double own = (*side.Distance)(p);
+    const double across = (*other.Distance)(p);
+    const double cone = own / (own + across);
+    if (!IsNearerThanBehind(side, i, across) && EndShare(p, own, side.Behind, false) > cone)
+    {
+      ends.push_back(p);
+    }
+  }
+  return ends;
+}
+}
+
+std::array<std::vector<Point2>, 2> FindPartialEnds(
+  const SlabTetrahedra& slab, const SkeletonSide& lower, const SkeletonSide& upper)
+{
+  std::set<RegionPair> seen;
+  for (std::size_t i = 0; i < lower.Points->size(); ++i)
+  {
+    seen.emplace(RegionAt(*lower.Level, (*lower.Triangles)[i]),
+      RegionAt(*upper.Level, (*lower.OtherTriangles)[i]));
+  }
+  for (std::size_t i = 0; i < upper.Points->size(); ++i)
+  {
+    seen.emplace(RegionAt(*lower.Level, (*upper.OtherTriangles)[i]),
+      RegionAt(*upper.Level, (*upper.Triangles)[i]));
+  }
+  std::array<std::set<int>, 2> spared;
+  for (const RegionPair& pair : JoinedPairs(slab, *lower.Level, *upper.Level))
+  {
+    if (seen.count(pair) == 0)
+    {
+      spared[0].insert(pair.first);
+      spared[1].insert(pair.second);
+    }
+  }
+  return { { EndsOf(lower, upper, spared[0]), EndsOf(upper, lower, spared[1]) } };
+}
+}
