@@ -3,11 +3,11 @@
 
 #include "BRepParser.h"
 #include "ContourConversion.h"
+#include "FileOutcome.h"
 #include "vtkContourMonitor.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkErrorCode.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
@@ -80,29 +80,22 @@ int vtkBRepReader::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  if (!this->FileName || !*this->FileName)
-  {
-    vtkErrorMacro("No file name is set: set FileName to a boundary representation (.brep).");
-    this->SetErrorCode(vtkErrorCode::NoFileNameError);
-    return 0;
-  }
-  try
-  {
-    vtkContourMonitor monitor(this);
-    FillPolyData(recon::MakeMesh(recon::ReadBRep(this->FileName, monitor)), output);
-    this->SetErrorCode(vtkErrorCode::NoError);
-    return 1;
-  }
-  catch (const recon::Aborted&)
+  const recon::FileOutcome outcome = recon::TryFile(this->FileName,
+    "a boundary representation (.brep)", vtkErrorCode::FileFormatError,
+    [&]
+    {
+      vtkContourMonitor monitor(this);
+      FillPolyData(recon::MakeMesh(recon::ReadBRep(this->FileName, monitor)), output);
+    });
+  this->SetErrorCode(outcome.ErrorCode);
+  if (!outcome.IsWhole())
   {
     output->Initialize();
-    return 1;
   }
-  catch (const std::exception& error)
+  if (!outcome.Sentence.empty())
   {
-    output->Initialize();
-    vtkErrorMacro(<< error.what());
-    this->SetErrorCode(vtkErrorCode::FileFormatError);
+    vtkErrorMacro(<< outcome.Sentence);
     return 0;
   }
+  return 1;
 }

@@ -4,11 +4,11 @@
 #include "BRepFormatter.h"
 #include "ContourConversion.h"
 #include "Contours/ContourChaining.h"
+#include "FileOutcome.h"
 #include "vtkContourMonitor.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
-#include "vtkErrorCode.h"
 #include "vtkInformation.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -123,42 +123,33 @@ int vtkBRepWriter::FillInputPortInformation(int port, vtkInformation* info)
 
 void vtkBRepWriter::WriteData()
 {
-  if (!this->FileName || !*this->FileName)
-  {
-    vtkErrorMacro("No file name is set: set FileName to the file to write (.brep).");
-    this->SetErrorCode(vtkErrorCode::NoFileNameError);
-    return;
-  }
-  try
-  {
-    vtkPolyData* surface = vtkPolyData::SafeDownCast(this->GetInput());
-    if (!surface)
+  const recon::FileOutcome outcome = recon::TryFile(this->FileName, "the file to write (.brep)",
+    vtkErrorCode::CannotOpenFileError,
+    [&]
     {
-      throw recon::Error("There is no surface to write: connect one to the writer.");
-    }
-    vtkContourMonitor joining(this, 0.0, 0.6);
-    const recon::TriangleMesh mesh = recon::ToTriangleMesh(surface);
-    const std::vector<recon::SpaceLoop> loops =
-      LoopsOf(surface, vtkPolyData::SafeDownCast(this->GetInput(1)), joining);
-    std::vector<int> missing;
-    const recon::BRep brep = recon::MakeBRep(mesh, ShellSetsOf(surface), loops, missing, joining);
-    vtkContourMonitor writing(this, 0.6, 1.0);
-    recon::WriteBRep(this->FileName, brep, writing);
-    if (!missing.empty())
-    {
-      vtkWarningMacro(<< missing.size() << " of " << loops.size()
-                      << " contours (the first is number " << missing.front()
-                      << ") do not run along edges of the surface and were left out.");
-    }
-    this->SetErrorCode(vtkErrorCode::NoError);
-  }
-  catch (const recon::Aborted&)
+      vtkPolyData* surface = vtkPolyData::SafeDownCast(this->GetInput());
+      if (!surface)
+      {
+        throw recon::Error("There is no surface to write: connect one to the writer.");
+      }
+      vtkContourMonitor joining(this, 0.0, 0.6);
+      const recon::TriangleMesh mesh = recon::ToTriangleMesh(surface);
+      const std::vector<recon::SpaceLoop> loops =
+        LoopsOf(surface, vtkPolyData::SafeDownCast(this->GetInput(1)), joining);
+      std::vector<int> missing;
+      const recon::BRep brep = recon::MakeBRep(mesh, ShellSetsOf(surface), loops, missing, joining);
+      vtkContourMonitor writing(this, 0.6, 1.0);
+      recon::WriteBRep(this->FileName, brep, writing);
+      if (!missing.empty())
+      {
+        vtkWarningMacro(<< missing.size() << " of " << loops.size()
+                        << " contours (the first is number " << missing.front()
+                        << ") do not run along edges of the surface and were left out.");
+      }
+    });
+  this->SetErrorCode(outcome.ErrorCode);
+  if (!outcome.Sentence.empty())
   {
-    this->SetErrorCode(vtkErrorCode::UserError);
-  }
-  catch (const std::exception& error)
-  {
-    vtkErrorMacro(<< error.what());
-    this->SetErrorCode(vtkErrorCode::CannotOpenFileError);
+    vtkErrorMacro(<< outcome.Sentence);
   }
 }

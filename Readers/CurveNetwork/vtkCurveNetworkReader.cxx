@@ -3,11 +3,11 @@
 
 #include "ContourConversion.h"
 #include "CurveNetworkParser.h"
+#include "FileOutcome.h"
 #include "vtkContourMonitor.h"
 
 #include "vtkCellData.h"
 #include "vtkCompositeDataSet.h"
-#include "vtkErrorCode.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -27,44 +27,27 @@ vtkStandardNewMacro(vtkCurveNetworkReader);
 class vtkCurveNetworkReader::Internals
 {
 public:
-  /// Sets Network, or ErrorCode and Sentence.
   void Read(vtkCurveNetworkReader* self)
   {
     this->Network.reset();
-    this->ErrorCode = vtkErrorCode::NoError;
-    const std::string fileName = self->FileName ? self->FileName : "";
-    if (fileName.empty())
-    {
-      this->ErrorCode = vtkErrorCode::NoFileNameError;
-      this->Sentence = "No file name is set: set FileName to a cross-section set (.csl) or a curve "
-                       "network (.contour).";
-      return;
-    }
-    try
-    {
-      vtkContourMonitor monitor(self);
-      auto network =
-        std::make_unique<recon::CurveNetwork>(recon::ReadCurveNetwork(fileName, monitor));
-      if (network->Materials.empty())
+    this->Outcome = recon::TryFile(self->FileName,
+      "a cross-section set (.csl) or a curve network (.contour)", vtkErrorCode::FileFormatError,
+      [this, self]
       {
-        throw recon::Error("Cannot read " + fileName + ": it has no contours.");
-      }
-      this->Network = std::move(network);
-    }
-    catch (const recon::Aborted&)
-    {
-      this->ErrorCode = vtkErrorCode::UserError;
-    }
-    catch (const std::exception& error)
-    {
-      this->ErrorCode = vtkErrorCode::FileFormatError;
-      this->Sentence = error.what();
-    }
+        vtkContourMonitor monitor(self);
+        auto network =
+          std::make_unique<recon::CurveNetwork>(recon::ReadCurveNetwork(self->FileName, monitor));
+        if (network->Materials.empty())
+        {
+          throw recon::Error(
+            "Cannot read " + std::string(self->FileName) + ": it has no contours.");
+        }
+        this->Network = std::move(network);
+      });
   }
 
-  std::unique_ptr<recon::CurveNetwork> Network;
-  unsigned long ErrorCode = vtkErrorCode::NoError;
-  std::string Sentence;
+  std::unique_ptr<recon::CurveNetwork> Network; ///< none where the outcome is not whole
+  recon::FileOutcome Outcome;
 };
 
 namespace
@@ -153,22 +136,22 @@ int vtkCurveNetworkReader::RequestData(
 {
   vtkDataObject* output = vtkDataObject::GetData(outputVector);
   Internals& internals = *this->Implementation;
-  if (!internals.Network && internals.ErrorCode == vtkErrorCode::NoError)
+  if (!internals.Network && internals.Outcome.IsWhole())
   {
     internals.Read(this); // the pipeline asks again for data that it has let go
   }
   // Read once more next time: the file may have changed.
   const std::unique_ptr<recon::CurveNetwork> network = std::move(internals.Network);
-  const unsigned long errorCode = std::exchange(internals.ErrorCode, vtkErrorCode::NoError);
-  this->SetErrorCode(errorCode);
-  if (errorCode == vtkErrorCode::UserError)
+  const recon::FileOutcome outcome = std::exchange(internals.Outcome, {});
+  this->SetErrorCode(outcome.ErrorCode);
+  if (!outcome.Sentence.empty())
+  {
+    vtkErrorMacro(<< outcome.Sentence);
+    return 0;
+  }
+  if (!outcome.IsWhole())
   {
     return 1; // stopped by the user
-  }
-  if (errorCode != vtkErrorCode::NoError)
-  {
-    vtkErrorMacro(<< internals.Sentence);
-    return 0;
   }
   auto* polyData = vtkPolyData::SafeDownCast(output);
   auto* collection = vtkPartitionedDataSetCollection::SafeDownCast(output);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkDICOMSlicePlanes.h"
 
+#include "FileOutcome.h"
 #include "ReferenceSlices.h"
 #include "vtkContourMonitor.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkErrorCode.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
@@ -61,30 +61,22 @@ int vtkDICOMSlicePlanes::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  if (!this->FileName || !*this->FileName)
-  {
-    vtkErrorMacro("No file name is set: set FileName to an RT structure set, or to an image of the "
-                  "series (.dcm).");
-    this->SetErrorCode(vtkErrorCode::NoFileNameError);
-    return 0;
-  }
-  try
-  {
-    vtkContourMonitor monitor(this);
-    ToPolyData(recon::ReadReferenceSlices(this->FileName, monitor), output);
-    this->SetErrorCode(vtkErrorCode::NoError);
-    return 1;
-  }
-  catch (const recon::Aborted&)
+  const recon::FileOutcome outcome = recon::TryFile(this->FileName,
+    "an RT structure set, or to an image of the series (.dcm)", vtkErrorCode::FileFormatError,
+    [&]
+    {
+      vtkContourMonitor monitor(this);
+      ToPolyData(recon::ReadReferenceSlices(this->FileName, monitor), output);
+    });
+  this->SetErrorCode(outcome.ErrorCode);
+  if (!outcome.IsWhole())
   {
     output->Initialize();
-    return 1;
   }
-  catch (const std::exception& error)
+  if (!outcome.Sentence.empty())
   {
-    output->Initialize();
-    vtkErrorMacro(<< error.what());
-    this->SetErrorCode(vtkErrorCode::FileFormatError);
+    vtkErrorMacro(<< outcome.Sentence);
     return 0;
   }
+  return 1;
 }

@@ -2,13 +2,13 @@
 #include "vtkRTStructureSetReader.h"
 
 #include "ContourConversion.h"
+#include "FileOutcome.h"
 #include "StructureSetFile.h"
 #include "vtkContourMonitor.h"
 
 #include "vtkCellData.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArraySelection.h"
-#include "vtkErrorCode.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -171,54 +171,48 @@ int vtkRTStructureSetReader::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   auto* output = vtkPartitionedDataSetCollection::GetData(outputVector);
-  if (!this->FileName || !*this->FileName)
-  {
-    vtkErrorMacro("No file name is set: set FileName to a DICOM RT structure set (.dcm).");
-    this->SetErrorCode(vtkErrorCode::NoFileNameError);
-    return 0;
-  }
-  try
-  {
-    recon::StructureSetFile file(this->FileName);
-    const std::vector<recon::StructureSetROI>& rois = file.GetROIs();
-    std::vector<std::string> report = file.GetReport();
-    for (const std::string& name : this->UnknownSelected)
-    {
-      report.push_back("The selected ROI \"" + name + "\" is not in the file.");
-    }
-    unsigned int block = 0;
-    for (std::size_t i = 0; i < rois.size(); ++i)
-    {
-      if (!this->ROISelection->ArrayIsEnabled(rois[i].Name.c_str()))
+  const recon::FileOutcome outcome =
+    recon::TryFile(this->FileName, "a DICOM RT structure set (.dcm)", vtkErrorCode::FileFormatError,
+      [&]
       {
-        continue;
-      }
-      const auto count = static_cast<double>(rois.size());
-      vtkContourMonitor monitor(
-        this, static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
-      const recon::StructureSetContours contours = file.ReadContours(static_cast<int>(i), monitor);
-      vtkNew<vtkPolyData> contourData;
-      FillBlock(contours, contourData);
-      AddROIFieldData(rois[i], contourData->GetFieldData());
-      output->SetPartition(block, 0, contourData);
-      output->GetMetaData(block)->Set(vtkCompositeDataSet::NAME(), rois[i].Name.c_str());
-      report.insert(report.end(), contours.File.Report.begin(), contours.File.Report.end());
-      ++block;
-    }
-    recon::SetReport(report, output);
-    this->SetErrorCode(vtkErrorCode::NoError);
-    return 1;
-  }
-  catch (const recon::Aborted&)
+        recon::StructureSetFile file(this->FileName);
+        const std::vector<recon::StructureSetROI>& rois = file.GetROIs();
+        std::vector<std::string> report = file.GetReport();
+        for (const std::string& name : this->UnknownSelected)
+        {
+          report.push_back("The selected ROI \"" + name + "\" is not in the file.");
+        }
+        unsigned int block = 0;
+        for (std::size_t i = 0; i < rois.size(); ++i)
+        {
+          if (!this->ROISelection->ArrayIsEnabled(rois[i].Name.c_str()))
+          {
+            continue;
+          }
+          const auto count = static_cast<double>(rois.size());
+          vtkContourMonitor monitor(
+            this, static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
+          const recon::StructureSetContours contours =
+            file.ReadContours(static_cast<int>(i), monitor);
+          vtkNew<vtkPolyData> contourData;
+          FillBlock(contours, contourData);
+          AddROIFieldData(rois[i], contourData->GetFieldData());
+          output->SetPartition(block, 0, contourData);
+          output->GetMetaData(block)->Set(vtkCompositeDataSet::NAME(), rois[i].Name.c_str());
+          report.insert(report.end(), contours.File.Report.begin(), contours.File.Report.end());
+          ++block;
+        }
+        recon::SetReport(report, output);
+      });
+  this->SetErrorCode(outcome.ErrorCode);
+  if (!outcome.IsWhole())
   {
     output->Initialize();
-    return 1;
   }
-  catch (const std::exception& error)
+  if (!outcome.Sentence.empty())
   {
-    output->Initialize();
-    vtkErrorMacro(<< error.what());
-    this->SetErrorCode(vtkErrorCode::FileFormatError);
+    vtkErrorMacro(<< outcome.Sentence);
     return 0;
   }
+  return 1;
 }

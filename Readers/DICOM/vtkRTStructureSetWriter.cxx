@@ -4,6 +4,7 @@
 #include "ClosedLoops.h"
 #include "ContourConversion.h"
 #include "Contours/ContourSetBuilder.h"
+#include "FileOutcome.h"
 #include "Keyholes.h"
 #include "StructureSetFormatter.h"
 #include "vtkContourMonitor.h"
@@ -13,7 +14,6 @@
 #include "vtkCellData.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
-#include "vtkErrorCode.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
@@ -390,33 +390,24 @@ int vtkRTStructureSetWriter::FillInputPortInformation(int, vtkInformation* info)
 
 void vtkRTStructureSetWriter::WriteData()
 {
-  if (!this->FileName || !*this->FileName)
-  {
-    vtkErrorMacro("No file name is set: set FileName to the RT structure set to write (.dcm).");
-    this->SetErrorCode(vtkErrorCode::NoFileNameError);
-    return;
-  }
-  try
-  {
-    vtkContourMonitor monitor(this);
-    std::vector<std::string> report;
-    std::vector<recon::WrittenROI> rois = ROIsOf(this, report, monitor);
-    const std::vector<std::string> more =
-      recon::WriteStructureSet(this->FileName, std::move(rois), OptionsOf(this), monitor);
-    report.insert(report.end(), more.begin(), more.end());
-    for (const std::string& line : report)
+  const recon::FileOutcome outcome = recon::TryFile(this->FileName,
+    "the RT structure set to write (.dcm)", vtkErrorCode::CannotOpenFileError,
+    [&]
     {
-      vtkWarningMacro(<< line);
-    }
-    this->SetErrorCode(vtkErrorCode::NoError);
-  }
-  catch (const recon::Aborted&)
+      vtkContourMonitor monitor(this);
+      std::vector<std::string> report;
+      std::vector<recon::WrittenROI> rois = ROIsOf(this, report, monitor);
+      const std::vector<std::string> more =
+        recon::WriteStructureSet(this->FileName, std::move(rois), OptionsOf(this), monitor);
+      report.insert(report.end(), more.begin(), more.end());
+      for (const std::string& line : report)
+      {
+        vtkWarningMacro(<< line);
+      }
+    });
+  this->SetErrorCode(outcome.ErrorCode);
+  if (!outcome.Sentence.empty())
   {
-    this->SetErrorCode(vtkErrorCode::UserError);
-  }
-  catch (const std::exception& error)
-  {
-    vtkErrorMacro(<< error.what());
-    this->SetErrorCode(vtkErrorCode::CannotOpenFileError);
+    vtkErrorMacro(<< outcome.Sentence);
   }
 }

@@ -2,10 +2,10 @@
 #include "vtkNUAGESReader.h"
 
 #include "ContourConversion.h"
+#include "FileOutcome.h"
 #include "NUAGESParser.h"
 #include "vtkContourMonitor.h"
 
-#include "vtkErrorCode.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -38,31 +38,24 @@ int vtkNUAGESReader::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  if (!this->FileName || !*this->FileName)
-  {
-    vtkErrorMacro("No file name is set: set FileName to a NUAGES file (.cnt).");
-    this->SetErrorCode(vtkErrorCode::NoFileNameError);
-    return 0;
-  }
-  try
-  {
-    vtkContourMonitor monitor(this);
-    const recon::ContourFile file = recon::ReadNUAGES(this->FileName, monitor);
-    recon::ToPolyData(file.Soup, output);
-    recon::SetReport(file.Report, output);
-    this->SetErrorCode(vtkErrorCode::NoError);
-    return 1;
-  }
-  catch (const recon::Aborted&)
+  const recon::FileOutcome outcome =
+    recon::TryFile(this->FileName, "a NUAGES file (.cnt)", vtkErrorCode::FileFormatError,
+      [&]
+      {
+        vtkContourMonitor monitor(this);
+        const recon::ContourFile file = recon::ReadNUAGES(this->FileName, monitor);
+        recon::ToPolyData(file.Soup, output);
+        recon::SetReport(file.Report, output);
+      });
+  this->SetErrorCode(outcome.ErrorCode);
+  if (!outcome.IsWhole())
   {
     output->Initialize();
-    return 1;
   }
-  catch (const std::exception& error)
+  if (!outcome.Sentence.empty())
   {
-    output->Initialize();
-    vtkErrorMacro(<< error.what());
-    this->SetErrorCode(vtkErrorCode::FileFormatError);
+    vtkErrorMacro(<< outcome.Sentence);
     return 0;
   }
+  return 1;
 }

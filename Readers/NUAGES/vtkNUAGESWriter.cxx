@@ -3,6 +3,7 @@
 
 #include "ClosedLoops.h"
 #include "ContourConversion.h"
+#include "FileOutcome.h"
 #include "NUAGESFormatter.h"
 #include "vtkContourMonitor.h"
 
@@ -10,7 +11,6 @@
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
-#include "vtkErrorCode.h"
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
@@ -117,46 +117,37 @@ int vtkNUAGESWriter::FillInputPortInformation(int, vtkInformation* info)
 
 void vtkNUAGESWriter::WriteData()
 {
-  if (!this->FileName || !*this->FileName)
-  {
-    vtkErrorMacro("No file name is set: set FileName to the NUAGES file to write (.cnt).");
-    this->SetErrorCode(vtkErrorCode::NoFileNameError);
-    return;
-  }
-  try
-  {
-    vtkContourMonitor monitor(this);
-    vtkPolyData* input = ContoursOf(this->GetInput());
-    recon::ConvertedLoops converted = recon::ToLoopSoup(input);
-    std::vector<std::string> report = std::move(converted.Report);
-    int looseVertices = 0;
-    recon::LoopSoup closed =
-      recon::CloseLoops(std::move(converted.Soup), "NUAGES files hold", looseVertices, monitor);
-    if (closed.Chains.empty())
+  const recon::FileOutcome outcome = recon::TryFile(this->FileName,
+    "the NUAGES file to write (.cnt)", vtkErrorCode::CannotOpenFileError,
+    [&]
     {
-      throw recon::Error("There are no closed contours to write.");
-    }
-    if (looseVertices > 0)
-    {
-      report.push_back(
-        std::to_string(looseVertices) + " loose vertices are no contours; left out.");
-    }
-    OrientByDepth(input, closed);
-    const std::vector<std::string> moved = recon::WriteNUAGES(this->FileName, closed, monitor);
-    report.insert(report.end(), moved.begin(), moved.end());
-    for (const std::string& line : report)
-    {
-      vtkWarningMacro(<< line);
-    }
-    this->SetErrorCode(vtkErrorCode::NoError);
-  }
-  catch (const recon::Aborted&)
+      vtkContourMonitor monitor(this);
+      vtkPolyData* input = ContoursOf(this->GetInput());
+      recon::ConvertedLoops converted = recon::ToLoopSoup(input);
+      std::vector<std::string> report = std::move(converted.Report);
+      int looseVertices = 0;
+      recon::LoopSoup closed =
+        recon::CloseLoops(std::move(converted.Soup), "NUAGES files hold", looseVertices, monitor);
+      if (closed.Chains.empty())
+      {
+        throw recon::Error("There are no closed contours to write.");
+      }
+      if (looseVertices > 0)
+      {
+        report.push_back(
+          std::to_string(looseVertices) + " loose vertices are no contours; left out.");
+      }
+      OrientByDepth(input, closed);
+      const std::vector<std::string> moved = recon::WriteNUAGES(this->FileName, closed, monitor);
+      report.insert(report.end(), moved.begin(), moved.end());
+      for (const std::string& line : report)
+      {
+        vtkWarningMacro(<< line);
+      }
+    });
+  this->SetErrorCode(outcome.ErrorCode);
+  if (!outcome.Sentence.empty())
   {
-    this->SetErrorCode(vtkErrorCode::UserError);
-  }
-  catch (const std::exception& error)
-  {
-    vtkErrorMacro(<< error.what());
-    this->SetErrorCode(vtkErrorCode::CannotOpenFileError);
+    vtkErrorMacro(<< outcome.Sentence);
   }
 }
