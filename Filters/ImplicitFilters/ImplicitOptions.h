@@ -24,6 +24,7 @@ ConstraintOptions ConstraintOptionsOf(Filter* filter)
   options.MarginDistance = filter->GetMarginDistance();
   options.ReachAcrossSteps = filter->GetReachAcrossSteps();
   options.MergeBox = filter->GetMergeBox();
+  options.ThinOut = filter->GetThinOut();
   options.ResampleSpacing = filter->GetResampleSpacing();
   options.ResampleTolerance = filter->GetResampleTolerance();
   return options;

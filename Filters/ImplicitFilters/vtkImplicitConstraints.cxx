@@ -84,6 +84,7 @@ void vtkImplicitConstraints::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MarginDistance: " << this->MarginDistance << "\n";
   os << indent << "ReachAcrossSteps: " << this->ReachAcrossSteps << "\n";
   os << indent << "MergeBox: " << this->MergeBox << "\n";
+  os << indent << "ThinOut: " << this->ThinOut << "\n";
   os << indent << "ResampleSpacing: " << this->ResampleSpacing << "\n";
   os << indent << "ResampleTolerance: " << this->ResampleTolerance << "\n";
   os << indent << "Threads: " << this->Threads << "\n";

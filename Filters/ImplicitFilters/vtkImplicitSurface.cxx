@@ -79,6 +79,7 @@ void vtkImplicitSurface::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MarginDistance: " << this->MarginDistance << "\n";
   os << indent << "ReachAcrossSteps: " << this->ReachAcrossSteps << "\n";
   os << indent << "MergeBox: " << this->MergeBox << "\n";
+  os << indent << "ThinOut: " << this->ThinOut << "\n";
   os << indent << "ResampleSpacing: " << this->ResampleSpacing << "\n";
   os << indent << "ResampleTolerance: " << this->ResampleTolerance << "\n";
   os << indent << "Kernel: " << this->Kernel << "\n";

@@ -107,6 +107,17 @@ public:
 
   ///@{
   /**
+   * Leave out contour points that stand closer than a quarter of the gap between the contours
+   * (wider where there are very many), on by default; no point moves and corners stay. Without
+   * effect where ResampleSpacing or ResampleTolerance is given.
+   */
+  vtkSetMacro(ThinOut, bool);
+  vtkGetMacro(ThinOut, bool);
+  vtkBooleanMacro(ThinOut, bool);
+  ///@}
+
+  ///@{
+  /**
    * Resample contours to about this distance between points first, in the units of the input; 0: do
    * not.
    */
@@ -273,6 +284,7 @@ private:
   double MarginDistance = 0.0;
   bool ReachAcrossSteps = false;
   double MergeBox = 0.0;
+  bool ThinOut = true;
   double ResampleSpacing = 0.0;
   double ResampleTolerance = 0.0;
   int Kernel = Triharmonic;

@@ -34,7 +34,7 @@ struct ConstraintOptions
   enum NormalsType
   {
     InPlane = 0, ///< thesis: margins in the plane of the contour
-    Refined = 1  ///< margins along the normals of a first fit (RefinedConstraints.h)
+    Refined = 1  ///< margins along the normals of a first fit (RefinedMargins.h)
   };
 
   ModeType Mode = Margins;
@@ -51,6 +51,9 @@ struct ConstraintOptions
   /// Thesis 9.1: points of crossing planes that fit in a box of this part of the bounding box
   /// become their centroid. The thesis uses 0.05; 0 = none.
   double MergeBox = 0;
+  /// Leave out contour points that stand closer than the gap between the contours is worth
+  /// (ContourResampling.h); the others stay where they are. Not where one of the next two is given.
+  bool ThinOut = true;
   /// > 0: contours are first resampled to about this distance between points (units of the input).
   double ResampleSpacing = 0;
   /// > 0: contour points are first left out where the contour moves by less than this (units of the

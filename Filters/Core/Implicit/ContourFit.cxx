@@ -2,220 +2,86 @@
 #include "ContourFit.h"
 
 #include "ContourResampling.h"
-#include "PointGrid.h"
+#include "ContourTips.h"
+#include "RefinedMargins.h"
 #include "SubMonitor.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace recon
 {
 namespace
 {
-/// Cosine that the second fit's normals keep with the first's (guard 2). 0.8 lets thin parts of
-/// hand_ok go, 0.95 takes from eight_15 what refining wins.
-constexpr double LeastAgreement = 0.9;
-/// Fits of guard 2 before it gives the set up.
-constexpr int MaximumFits = 5;
-/// Every how manieth level is left out (guard 3), and how many levels that takes.
+/// Every how manieth level is left out in turn, how many levels that takes at least, and up to how
+/// many constraints all turns are taken instead of one.
 constexpr int LeaveOutEvery = 3;
 constexpr std::size_t LeastLevelsToJudge = 6;
-/// A margin that finds no room shrinks by this, down to this part of d.
-constexpr double ShrinkStep = 0.7;
-constexpr double LeastMargin = 0.05;
+constexpr std::size_t MostConstraintsToJudgeTwice = 12000;
+/// Refining must be nearer at this part of the left-out vertices. A vote, not a mean: where nothing
+/// predicts the surface, at branchings, both miss by anything.
+constexpr double Majority = 0.5;
+/// Differences below this part of the gap between the contours decide nothing.
+constexpr double TieOfGap = 0.01;
+/// What ThinOut's spacing is worth, as a part of the gap between the contours: denser points told
+/// nothing more on any set with a reference. Up to the whole gap where there are more points than
+/// are needed for that.
+constexpr double LeastSpacingPerGap = 0.25;
+constexpr double SpacingGrowth = 1.25;
+constexpr std::size_t EnoughPoints = 3000;
+/// Fits with margins taken back, at most; then the rest stays as it is.
+constexpr int MaximumTakeBacks = 3;
 
-/// A contour vertex and the numbers of its constraints; -1 where it has no such margin.
-struct Vertex
+/// Margins of a set of contours with the first and the second fit.
+struct Refinement
 {
-  int Boundary = -1;
-  int Inner = -1;
-  int Outer = -1;
+  RefinedMargins Margins;
+  ImplicitFunction First;
+  ImplicitFunction Second;
 };
 
-std::vector<Vertex> VerticesOf(const ConstraintSet& set)
+ConstraintOptions DistanceOptions(const ConstraintOptions& options)
 {
-  std::vector<Vertex> vertices;
-  for (int i = 0; i < static_cast<int>(set.Points.size()); ++i)
-  {
-    switch (set.Kind[i])
-    {
-      case ConstraintSet::Boundary:
-        vertices.push_back({ i, -1, -1 });
-        break;
-      case ConstraintSet::Inner:
-        vertices.back().Inner = i;
-        break;
-      default:
-        vertices.back().Outer = i;
-        break;
-    }
-  }
-  return vertices;
+  ConstraintOptions first = options;
+  first.Values = ConstraintOptions::Distance;
+  return first;
 }
 
-std::vector<Point3> PlacesOf(const ConstraintSet& set, const std::vector<Vertex>& vertices)
+ImplicitFunction Fit(const ConstraintSet& set, const FunctionOptions& options, Monitor& monitor)
 {
-  std::vector<Point3> places;
-  places.reserve(vertices.size());
-  for (const Vertex& v : vertices)
-  {
-    places.push_back(set.Points[v.Boundary]);
-  }
-  return places;
+  return FitImplicitFunction(set.Points, set.Values, options, monitor);
 }
 
-/// One fit refined: its state between the guards.
-class Refinement
+/// The first fit, of in-plane margins but at tips.
+Refinement FitOnce(const ContourSet& contours, const ConstraintSet& inPlane, bool unit,
+  const FunctionOptions& functionOptions, Monitor& monitor)
 {
-public:
-  Refinement(const ConstraintSet& inPlane, bool unit, const FunctionOptions& options)
-    : InPlane(inPlane),
-      Vertices(VerticesOf(inPlane)),
-      Places(PlacesOf(inPlane, Vertices)),
-      Unit(unit),
-      Options(options)
-  {
-  }
+  Refinement refinement{ RefinedMargins(contours, inPlane, unit), {}, {} };
+  refinement.First = Fit(refinement.Margins.Constraints(), functionOptions, monitor);
+  return refinement;
+}
 
-  /// @returns false where guard 2 gave up; then constraints and function are those of one fit.
-  bool Run(const ImplicitFunction& first, Monitor& monitor)
+/// @param normals a fit that tells the normals: the first, or a better one
+void FitAgain(Refinement& refinement, const ImplicitFunction& normals,
+  const FunctionOptions& functionOptions, Monitor& monitor)
+{
+  RefinedMargins& margins = refinement.Margins;
+  margins.Turn(normals, functionOptions.Threads);
+  for (int fit = 0; fit <= MaximumTakeBacks; ++fit)
   {
-    this->Normals = first.EvaluateGradients(this->Places, this->Options.Threads);
-    this->Refined = this->InPlane;
-    this->PlaceMargins();
-    for (int fit = 0; fit < MaximumFits; ++fit)
-    {
-      SubMonitor fitting(
-        monitor, static_cast<double>(fit) / MaximumFits, (fit + 1.0) / MaximumFits);
-      this->Function =
-        FitImplicitFunction(this->Refined.Points, this->Refined.Values, this->Options, fitting);
-      if (!this->TakeBackBadContours())
-      {
-        return true;
-      }
-    }
-    return false;
-  }
-
-  ConstraintSet Refined;
-  ImplicitFunction Function;
-  std::size_t TakenBack = 0;
-
-private:
-  void PlaceMargins()
-  {
-    const double d = this->InPlane.MarginDistance;
-    const PointGrid grid(this->Places, d);
-    for (std::size_t k = 0; k < this->Vertices.size(); ++k)
-    {
-      const double steep = Norm(this->Normals[k]);
-      if (!(steep > 0))
-      {
-        continue;
-      }
-      const Vector3 inward = (1 / steep) * this->Normals[k];
-      this->PlaceMargin(grid, static_cast<int>(k), this->Vertices[k].Inner, inward, 1);
-      this->PlaceMargin(grid, static_cast<int>(k), this->Vertices[k].Outer, inward, -1);
-    }
-  }
-
-  void PlaceMargin(const PointGrid& grid, int k, int constraint, const Vector3& inward, int side)
-  {
-    if (constraint < 0)
+    const double all = 1 + MaximumTakeBacks;
+    SubMonitor fitting(monitor, fit / all, (fit + 1) / all);
+    refinement.Second = Fit(margins.Constraints(), functionOptions, fitting);
+    if (fit == MaximumTakeBacks ||
+      margins.TakeBack(refinement.Second, functionOptions.Threads) == 0)
     {
       return;
     }
-    const double d = this->InPlane.MarginDistance;
-    for (double t = d; t >= LeastMargin * d; t *= ShrinkStep)
-    {
-      const Point3 place = this->Places[k] + (side * t) * inward;
-      const int nearest = grid.Nearest(place, t);
-      // Rounding may leave the vertex itself a hair outside the radius.
-      if (nearest < 0 || this->Places[nearest] == this->Places[k])
-      {
-        this->Refined.Points[constraint] = place;
-        this->Refined.Values[constraint] = side * (this->Unit ? 1 : t);
-        return;
-      }
-    }
   }
+}
 
-  bool IsBad(std::size_t k, const std::vector<double>& atMargins,
-    const std::vector<Vector3>& gradients) const
-  {
-    const Vertex& v = this->Vertices[k];
-    const double lengths = Norm(gradients[k]) * Norm(this->Normals[k]);
-    return (v.Inner >= 0 && !(atMargins[v.Inner] > 0)) ||
-      (v.Outer >= 0 && !(atMargins[v.Outer] < 0)) ||
-      !(Dot(gradients[k], this->Normals[k]) >= LeastAgreement * lengths);
-  }
-
-  /// @returns true where a contour lost its refined margins.
-  bool TakeBackBadContours()
-  {
-    const std::vector<double> atMargins =
-      this->Function.Evaluate(this->InPlane.Points, this->Options.Threads);
-    const std::vector<Vector3> gradients =
-      this->Function.EvaluateGradients(this->Places, this->Options.Threads);
-    const int contours =
-      1 + *std::max_element(this->InPlane.Contour.begin(), this->InPlane.Contour.end());
-    std::vector<char> bad(contours, 0);
-    bool changed = false;
-    for (std::size_t k = 0; k < this->Vertices.size(); ++k)
-    {
-      if (!this->IsBad(k, atMargins, gradients))
-      {
-        continue;
-      }
-      const int contour = this->InPlane.Contour[this->Vertices[k].Boundary];
-      if (contour >= 0)
-      {
-        bad[contour] = 1;
-      }
-      else
-      {
-        // A merged point belongs to several contours: it alone goes back.
-        changed = this->TakeBack(this->Vertices[k]) || changed;
-      }
-    }
-    for (const Vertex& v : this->Vertices)
-    {
-      const int contour = this->InPlane.Contour[v.Boundary];
-      if (contour >= 0 && bad[contour])
-      {
-        changed = this->TakeBack(v) || changed;
-      }
-    }
-    return changed;
-  }
-
-  bool TakeBack(const Vertex& v)
-  {
-    bool changed = false;
-    for (const int i : { v.Inner, v.Outer })
-    {
-      if (i >= 0 && this->Refined.Points[i] != this->InPlane.Points[i])
-      {
-        this->Refined.Points[i] = this->InPlane.Points[i];
-        this->Refined.Values[i] = this->InPlane.Values[i];
-        changed = true;
-      }
-    }
-    this->TakenBack += changed ? 1 : 0;
-    return changed;
-  }
-
-  const ConstraintSet& InPlane;
-  std::vector<Vertex> Vertices;
-  std::vector<Point3> Places;
-  std::vector<Vector3> Normals;
-  bool Unit;
-  FunctionOptions Options;
-};
-
-/// The levels that are, or are not, left out for guard 3. Points keep their numbers.
-ContourSet Part(const ContourSet& contours, bool leftOut)
+/// The levels that are, or are not, left out in a turn. Points keep their numbers.
+ContourSet Part(const ContourSet& contours, int turn, bool leftOut)
 {
   ContourSet part = contours;
   part.Levels.clear();
@@ -223,7 +89,8 @@ ContourSet Part(const ContourSet& contours, bool leftOut)
   for (std::size_t l = 0; l < contours.Levels.size(); ++l)
   {
     // The first and the last level stay: beyond them nothing can be predicted.
-    const bool isLeftOut = l % LeaveOutEvery == 1 && l + 1 < contours.Levels.size();
+    const bool isLeftOut =
+      static_cast<int>(l % LeaveOutEvery) == turn && l > 0 && l + 1 < contours.Levels.size();
     if (isLeftOut != leftOut)
     {
       continue;
@@ -242,9 +109,9 @@ ContourSet Part(const ContourSet& contours, bool leftOut)
   return part;
 }
 
-/// Mean distance, to first order, of the contours' vertices from the function's surface.
-double MeanMiss(
-  const ImplicitFunction& function, const ContourSet& contours, double limit, int threads)
+/// Distance, to first order, of the contours' vertices from the function's surface.
+std::vector<double> Misses(
+  const ImplicitFunction& function, const ContourSet& contours, int threads)
 {
   std::vector<Point3> points;
   for (const Contour& contour : contours.Contours)
@@ -256,123 +123,177 @@ double MeanMiss(
   }
   const std::vector<double> f = function.Evaluate(points, threads);
   const std::vector<Vector3> g = function.EvaluateGradients(points, threads);
-  double sum = 0;
+  std::vector<double> misses;
   for (std::size_t i = 0; i < points.size(); ++i)
   {
-    const double miss = std::abs(f[i]) / Norm(g[i]);
-    // Where the surface missed the place altogether the first order means nothing but "far".
-    sum += miss < limit ? miss : limit;
+    misses.push_back(std::abs(f[i]) / Norm(g[i]));
   }
-  return points.empty() ? 0 : sum / static_cast<double>(points.size());
+  return misses;
 }
 
-ConstraintOptions DistanceOptions(const ConstraintOptions& options)
+struct Votes
 {
-  ConstraintOptions first = options;
-  first.Values = ConstraintOptions::Distance;
-  return first;
-}
+  std::size_t Better = 0; ///< vertices that refining predicts no worse
+  std::size_t All = 0;
 
-/// Guard 3: does refining predict levels that it has not seen no worse than one fit does?
-bool RefiningPredicts(const ContourSet& contours, const ConstraintOptions& constraintOptions,
-  const FunctionOptions& functionOptions, Monitor& monitor)
-{
-  const ContourSet seen = Part(contours, false);
-  const ContourSet unseen = Part(contours, true);
-  if (contours.Levels.size() < LeastLevelsToJudge || unseen.Contours.empty())
+  bool Pass() const
   {
-    return true;
+    return static_cast<double>(this->Better) >= Majority * static_cast<double>(this->All);
+  }
+};
+
+/// Which of one fit and two fits is nearer to the vertices of levels that neither has seen?
+void Vote(const ContourSet& contours, int turn, const ConstraintOptions& constraintOptions,
+  const FunctionOptions& functionOptions, Monitor& monitor, Votes& votes)
+{
+  const ContourSet seen = Part(contours, turn, false);
+  const ContourSet unseen = Part(contours, turn, true);
+  if (unseen.Contours.empty())
+  {
+    return;
   }
   const ConstraintSet inPlane = BuildInPlaneConstraints(seen, constraintOptions, monitor);
   SubMonitor fitting(monitor, 0, 0.4);
-  const ImplicitFunction first =
-    FitImplicitFunction(inPlane.Points, inPlane.Values, functionOptions, fitting);
-  const bool unit = constraintOptions.Values == ConstraintOptions::Unit;
-  Refinement refinement(inPlane, unit, functionOptions);
+  Refinement refinement = FitOnce(seen, inPlane, false, functionOptions, fitting);
   SubMonitor refining(monitor, 0.4, 1);
-  if (!refinement.Run(first, refining))
+  FitAgain(refinement, refinement.First, functionOptions, refining);
+  const double tie = TieOfGap * TypicalGap(contours);
+  const std::vector<double> once = Misses(refinement.First, unseen, functionOptions.Threads);
+  const std::vector<double> twice = Misses(refinement.Second, unseen, functionOptions.Threads);
+  for (std::size_t i = 0; i < once.size(); ++i)
   {
-    return false;
+    votes.Better += twice[i] < once[i] + tie ? 1 : 0;
   }
-  const double limit =
-    0.1 * Norm(contours.Points.front() - contours.Points.back()) + 10 * inPlane.MarginDistance;
-  return MeanMiss(refinement.Function, unseen, limit, functionOptions.Threads) <=
-    MeanMiss(first, unseen, limit, functionOptions.Threads);
+  votes.All += once.size();
 }
 
-void Refine(ContourFit& fit, const ConstraintOptions& constraintOptions,
+Votes VoteAll(const ContourSet& contours, const ConstraintOptions& constraintOptions,
   const FunctionOptions& functionOptions, Monitor& monitor)
 {
-  SubMonitor judging(monitor, 0, 0.4);
-  if (!RefiningPredicts(fit.Contours, constraintOptions, functionOptions, judging))
+  Votes votes;
+  if (contours.Levels.size() < LeastLevelsToJudge)
+  {
+    return votes;
+  }
+  ConstraintOptions options = DistanceOptions(constraintOptions);
+  // What is judged is the set as it will be fitted, so with the margins of the whole.
+  options.MarginDistance = ChooseMarginDistance(contours, constraintOptions);
+  const int turns = 3 * contours.Points.size() > MostConstraintsToJudgeTwice ? 1 : LeaveOutEvery;
+  for (int turn = 0; turn < turns; ++turn)
+  {
+    SubMonitor voting(
+      monitor, static_cast<double>(turn) / turns, static_cast<double>(turn + 1) / turns);
+    Vote(contours, (turn + 1) % LeaveOutEvery, options, functionOptions, voting, votes);
+  }
+  return votes;
+}
+
+void ReportRefinement(const RefinedMargins& margins, ConstraintSet& set)
+{
+  const std::size_t kept = margins.Vertices() - margins.Turned() - margins.TipVertices();
+  if (kept > 0)
+  {
+    set.Report.push_back(std::to_string(kept) + " of " + std::to_string(margins.Vertices()) +
+      " contour points keep margins in their plane, because the shape is too thin there to tell "
+      "its "
+      "normals, or refined ones would contradict a contour.");
+  }
+}
+
+/// Constraints and function of a fit that is refined where that is safe.
+void FitRefined(ContourFit& fit, const ConstraintOptions& constraintOptions,
+  const FunctionOptions& functionOptions, Monitor& monitor)
+{
+  const bool unit = constraintOptions.Values == ConstraintOptions::Unit;
+  SubMonitor fitting(monitor, 0, 0.2);
+  Refinement refinement = FitOnce(fit.Contours, fit.Constraints, unit, functionOptions, fitting);
+  if (refinement.Margins.TipVertices() > 0)
+  {
+    refinement.First.Report.push_back(std::to_string(refinement.Margins.TipVertices()) +
+      " points of contours that only touch the end of the solid have margins upright on their "
+      "plane.");
+  }
+  fit.Constraints = refinement.Margins.Constraints();
+  fit.Function = refinement.First;
+  SubMonitor judging(monitor, 0.2, 0.6);
+  const Votes votes = VoteAll(fit.Contours, constraintOptions, functionOptions, judging);
+  if (!votes.Pass())
   {
     fit.Constraints.Report.push_back(
-      "Margins stay in the contours' planes: refined, the surface would miss "
-      "contours that are left out by more.");
+      "Margins stay in the contours' planes: refined, the surface would be farther from " +
+      std::to_string(votes.All - votes.Better) + " of " + std::to_string(votes.All) +
+      " contour points where their slice is left out.");
     return;
   }
-  ImplicitFunction first = fit.Function;
-  const bool unit = constraintOptions.Values == ConstraintOptions::Unit;
+  SubMonitor refining(monitor, 0.6, 1);
+  ImplicitFunction normals = refinement.First;
   if (unit)
   {
     // Distances tell the normals better than +1 and -1 do.
-    SubMonitor silent(monitor, 0.4, 0.5);
     const ConstraintSet distances =
-      BuildInPlaneConstraints(fit.Contours, DistanceOptions(constraintOptions), silent);
-    first = FitImplicitFunction(distances.Points, distances.Values, functionOptions, silent);
+      BuildInPlaneConstraints(fit.Contours, DistanceOptions(constraintOptions), refining);
+    normals = FitOnce(fit.Contours, distances, false, functionOptions, refining).First;
   }
-  Refinement refinement(fit.Constraints, unit, functionOptions);
-  SubMonitor refining(monitor, 0.5, 1);
-  if (!refinement.Run(first, refining))
+  FitAgain(refinement, normals, functionOptions, refining);
+  fit.Constraints = refinement.Margins.Constraints();
+  ReportRefinement(refinement.Margins, fit.Constraints);
+  fit.Function = std::move(refinement.Second);
+}
+
+/// Points as dense as the gap is worth; with many points less dense, for a fit in seconds, but not
+/// beyond the gap.
+ContourSet ThinOutByGap(const ContourSet& contours)
+{
+  const double gap = TypicalGap(contours);
+  double spacing = LeastSpacingPerGap * gap;
+  ContourSet thin = ThinOut(contours, spacing);
+  while (thin.Points.size() > EnoughPoints && spacing < gap)
   {
-    fit.Constraints.Report.push_back(
-      "Margins stay in the contours' planes: refined, they would contradict the "
-      "contours.");
-    return;
+    spacing = std::min(gap, SpacingGrowth * spacing);
+    thin = ThinOut(contours, spacing);
   }
-  if (refinement.TakenBack > 0)
+  return thin;
+}
+
+/// The points that options ask for, or where they ask for nothing, no more than the gap is worth.
+ContourSet Resampled(const ContourSet& contours, const ConstraintOptions& options)
+{
+  if (options.ResampleTolerance <= 0 && options.ResampleSpacing <= 0)
   {
-    refinement.Refined.Report.push_back(std::to_string(refinement.TakenBack) + " of " +
-      std::to_string(fit.Constraints.Points.size() / 3) +
-      " contour points keep margins in their plane, because refined ones would contradict a "
-      "contour.");
+    return options.ThinOut ? ThinOutByGap(contours) : contours;
   }
-  fit.Constraints = std::move(refinement.Refined);
-  fit.Function = std::move(refinement.Function);
+  ContourSet resampled = contours;
+  if (options.ResampleTolerance > 0)
+  {
+    resampled = ResampleToTolerance(resampled, options.ResampleTolerance);
+  }
+  return options.ResampleSpacing > 0 ? ResampleToSpacing(resampled, options.ResampleSpacing)
+                                     : resampled;
 }
 }
 
 ContourSet PrepareContours(const ContourSet& contours, const ConstraintOptions& options)
 {
   CheckConstraintInput(contours, options);
-  ContourSet prepared = contours;
-  if (options.ResampleTolerance > 0)
-  {
-    prepared = ResampleToTolerance(prepared, options.ResampleTolerance);
-  }
-  if (options.ResampleSpacing > 0)
-  {
-    prepared = ResampleToSpacing(prepared, options.ResampleSpacing);
-  }
-  return prepared;
+  return Resampled(contours, options);
 }
 
 ContourFit FitContours(const ContourSet& contours, const ConstraintOptions& constraintOptions,
   const FunctionOptions& functionOptions, Monitor& monitor)
 {
-  const bool refined = constraintOptions.Normals == ConstraintOptions::Refined &&
-    constraintOptions.Mode == ConstraintOptions::Margins;
   ContourFit fit;
   fit.Contours = PrepareContours(contours, constraintOptions);
   SubMonitor placing(monitor, 0, 0.1);
   fit.Constraints = BuildInPlaneConstraints(fit.Contours, constraintOptions, placing);
-  SubMonitor fitting(monitor, 0.1, refined ? 0.4 : 1);
-  fit.Function =
-    FitImplicitFunction(fit.Constraints.Points, fit.Constraints.Values, functionOptions, fitting);
-  if (refined)
+  SubMonitor fitting(monitor, 0.1, 1);
+  if (constraintOptions.Normals == ConstraintOptions::Refined &&
+    constraintOptions.Mode == ConstraintOptions::Margins)
   {
-    SubMonitor refining(monitor, 0.4, 1);
-    Refine(fit, constraintOptions, functionOptions, refining);
+    FitRefined(fit, constraintOptions, functionOptions, fitting);
+  }
+  else
+  {
+    fit.Function = Fit(fit.Constraints, functionOptions, fitting);
   }
   return fit;
 }

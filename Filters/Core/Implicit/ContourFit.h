@@ -10,15 +10,14 @@
  * truth.
  *
  * When it is not safe: on thin, branching, sparsely cut shapes a wrong normal feeds on itself.
- * Three guards:
- *  1. a refined margin point is nearest to its own vertex of all contour vertices (else it moves
- * nearer);
- *  2. the second fit must keep every in-plane margin on its side, and keep the first fit's normals
- * within an angle; contours where it does not get their in-plane margins back, and it is fitted
- * again;
- *  3. with a third of the levels left out, the second fit must predict those no worse than the
- * first. Where a guard says no for the whole set, the result is that of one fit, with a line in
- * Report.
+ * Guards, measured on sets with a reference surface:
+ *  1. a vertex whose in-plane margins had no room keeps them (RefinedMargins.h);
+ *  2. a vertex whose new normal the second fit contradicts gets its in-plane margins back, and it
+ * is fitted again;
+ *  3. with a third of the levels left out in turn, the second fit must be nearer than the first to
+ *     at least half of the vertices that it has not seen. Else the result is that of one fit, with
+ * a line in Report. Contours that only touch the end of the solid are a case of their own
+ * (ContourTips.h).
  */
 #ifndef recon_ContourFit_h
 #define recon_ContourFit_h

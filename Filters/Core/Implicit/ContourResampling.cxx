@@ -47,6 +47,18 @@ int AppendBetween(ContourSet& set, int a, int b, double t)
   return static_cast<int>(set.Points.size()) - 1;
 }
 
+/// Positions along a closed contour, with the whole length at the end.
+std::vector<double> LengthsAlong(const ContourSet& set, const std::vector<int>& points)
+{
+  const std::size_t n = points.size();
+  std::vector<double> along(n + 1, 0.0);
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    along[i + 1] = along[i] + Distance(set.Planar[points[i]], set.Planar[points[(i + 1) % n]]);
+  }
+  return along;
+}
+
 /// The first point stays; the others stand at equal distances along the contour.
 std::vector<int> Even(ContourSet& set, const std::vector<int>& points, double spacing)
 {
@@ -138,6 +150,67 @@ std::vector<int> Simplified(const ContourSet& set, const std::vector<int>& point
   return kept;
 }
 
+/// Marks points between two marked ones (from < to, to <= n for the first again), evenly.
+void FillPiece(const std::vector<double>& along, std::size_t from, std::size_t to, double spacing,
+  std::vector<char>& keep)
+{
+  const double length = along[to] - along[from];
+  const auto pieces = std::max<long>(1, std::lround(length / spacing));
+  std::size_t i = from + 1;
+  for (long k = 1; k < pieces; ++k)
+  {
+    const double at = along[from] + length * static_cast<double>(k) / static_cast<double>(pieces);
+    while (i + 1 < to && std::abs(along[i + 1] - at) <= std::abs(along[i] - at))
+    {
+      ++i;
+    }
+    if (i < to && along[i] - along[from] > 0.5 * spacing && along[to] - along[i] > 0.5 * spacing)
+    {
+      keep[i] = 1;
+    }
+  }
+}
+
+std::vector<int> Thinned(const ContourSet& set, const std::vector<int>& points, double spacing)
+{
+  const std::size_t n = points.size();
+  const std::vector<double> along = LengthsAlong(set, points);
+  // A contour of few points per spacing keeps so many that it stays the shape it is.
+  const double step = std::min(spacing, along[n] / MinimumPoints);
+  std::vector<char> keep(n, 0);
+  keep[0] = 1;
+  keep[n / 2] = 1;
+  MarkPiece(set, points, 0, n / 2, ThinOutTolerance * step, keep);
+  MarkPiece(set, points, n / 2, n, ThinOutTolerance * step, keep);
+  std::vector<std::size_t> corners;
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    if (keep[i] && (corners.empty() || along[i] - along[corners.back()] >= ClosestPart * step))
+    {
+      corners.push_back(i);
+    }
+  }
+  while (corners.size() > 2 && along[n] - along[corners.back()] < ClosestPart * step)
+  {
+    corners.pop_back();
+  }
+  keep.assign(n, 0);
+  for (std::size_t c = 0; c < corners.size(); ++c)
+  {
+    keep[corners[c]] = 1;
+    FillPiece(along, corners[c], c + 1 < corners.size() ? corners[c + 1] : n, step, keep);
+  }
+  std::vector<int> kept;
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    if (keep[i])
+    {
+      kept.push_back(points[i]);
+    }
+  }
+  return kept.size() < 3 ? points : kept;
+}
+
 /// Drops the points that no contour uses any more.
 void Compact(ContourSet& set)
 {
@@ -204,5 +277,16 @@ ContourSet ResampleToTolerance(const ContourSet& contours, double tolerance)
   return Resampled(contours,
     [tolerance](const ContourSet& set, const std::vector<int>& points)
     { return Simplified(set, points, tolerance); });
+}
+
+ContourSet ThinOut(const ContourSet& contours, double spacing)
+{
+  if (!(spacing > 0))
+  {
+    return contours;
+  }
+  return Resampled(contours,
+    [spacing](const ContourSet& set, const std::vector<int>& points)
+    { return Thinned(set, points, spacing); });
 }
 }

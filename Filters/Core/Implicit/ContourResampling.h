@@ -23,6 +23,19 @@ ContourSet ResampleToSpacing(const ContourSet& contours, double spacing);
 /// as above.
 ContourSet ResampleToTolerance(const ContourSet& contours, double tolerance);
 
+/**
+ * Leaves out points so that those kept stand about `spacing` apart, but for those that the contour
+ * needs to stay within `ThinOutTolerance` x spacing of all that are left out. Points never move,
+ * and none is added: a contour that is coarser than that stays as it is.
+ *
+ * Two kept points are nearer than `ClosestPart` x spacing only where the contour turns sharply:
+ * nearly coincident points make the system ill-conditioned and tell nothing.
+ */
+ContourSet ThinOut(const ContourSet& contours, double spacing);
+
+constexpr double ThinOutTolerance = 0.05;
+constexpr double ClosestPart = 0.05;
+
 /// A resampled contour keeps at least this many points where it has them.
 constexpr int MinimumPoints = 8;
 }

@@ -3,8 +3,11 @@
 #include "HandMadeContours.h"
 #include "Implicit/Constraints.h"
 #include "Implicit/ContourResampling.h"
+#include "Implicit/ContourTips.h"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
 
 using namespace recon;
 
@@ -265,6 +268,81 @@ TEST(ContourResampling, SpacingAndTolerance)
     const int level = p[2] > 1 ? 1 : 0;
     EXPECT_LT(DistanceToLevel(few, level, p), 0.0501);
   }
+}
+
+TEST(Constraints, ThinningOutMovesNothingAndKeepsCorners)
+{
+  handmade::Maker maker;
+  const int low = maker.AddLevel({ 0, 0, 1 }, 0);
+  // A square of 50 points a side, and a coarse hexagon that must stay as it is.
+  std::vector<Point3> square;
+  for (int side = 0; side < 4; ++side)
+  {
+    for (int i = 0; i < 50; ++i)
+    {
+      const double t = 0.2 * i;
+      const Point3 places[4] = { { t, 0, 0 }, { 10, t, 0 }, { 10 - t, 10, 0 }, { 0, 10 - t, 0 } };
+      square.push_back(places[side]);
+    }
+  }
+  maker.AddContour(low, square);
+  maker.AddCircle(maker.AddLevel({ 0, 0, 1 }, 4), { 5, 5 }, 4, 6);
+  const ContourSet contours = maker.Finish();
+  const ContourSet thin = ThinOut(contours, 1);
+  EXPECT_EQ(thin.Contours[0].Points.size(), 40u);
+  EXPECT_EQ(thin.Contours[1].Points.size(), 6u);
+  EXPECT_DOUBLE_EQ(thin.Contours[0].SignedArea, 100);
+  for (const Point3& p : thin.Points)
+  {
+    EXPECT_NE(std::find(contours.Points.begin(), contours.Points.end(), p), contours.Points.end());
+  }
+}
+
+TEST(Constraints, ThinningOutLeavesNoNearlyCoincidentPoints)
+{
+  handmade::Maker maker;
+  std::vector<Point3> loop;
+  for (int i = 0; i < 60; ++i)
+  {
+    for (const double step : { 0.0, 1e-6 })
+    {
+      const double a = 2 * 3.14159265358979323846 * i / 60 + step;
+      loop.push_back({ 10 * std::cos(a), 10 * std::sin(a), 0 });
+    }
+  }
+  maker.AddContour(maker.AddLevel({ 0, 0, 1 }, 0), loop);
+  const ContourSet thin = ThinOut(maker.Finish(), 0.5);
+  const std::vector<int>& points = thin.Contours[0].Points;
+  EXPECT_EQ(points.size(), 60u);
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    EXPECT_GT(
+      Norm(thin.Points[points[(i + 1) % points.size()]] - thin.Points[points[i]]), 0.05 * 0.5);
+  }
+}
+
+TEST(Constraints, TipsAreContoursThatOnlyTouchTheEnd)
+{
+  handmade::Maker maker;
+  maker.AddCircle(maker.AddLevel({ 0, 0, 1 }, 0), { 0, 0 }, 0.05, 8); // the pole of a ball
+  maker.AddCircle(maker.AddLevel({ 0, 0, 1 }, 3), { 0, 0 }, 8, 40);
+  const int middle = maker.AddLevel({ 0, 0, 1 }, 6);
+  maker.AddCircle(middle, { 0, 0 }, 8, 40);
+  maker.AddCircle(middle, { 20, 0 }, 0.05, 8); // a thread that nothing continues
+  maker.AddCircle(middle, { 2, 0 }, 0.05, 8);  // a needle hole
+  maker.AddCircle(maker.AddLevel({ 0, 0, 1 }, 9), { 0, 0 }, 4, 40); // ends broadly
+  const ContourSet contours = maker.Finish();
+  const std::vector<ContourTip> tips = FindTips(contours);
+  ASSERT_EQ(tips.size(), contours.Contours.size());
+  EXPECT_EQ(std::abs(tips[0].Side), 1);
+  EXPECT_TRUE(tips[0].Flat);
+  const double side = tips[0].Side * contours.Levels[0].Frame.Normal[2];
+  EXPECT_GT(side, 0); // the solid lies above
+  for (std::size_t c = 1; c < tips.size(); ++c)
+  {
+    EXPECT_EQ(tips[c].Side, 0) << c;
+  }
+  EXPECT_NEAR(TypicalGap(contours), 3, 1);
 }
 
 TEST(ConstraintsInvalid, EachBadInputHasItsSentence)

@@ -90,6 +90,29 @@ TEST(ImplicitSurface, RefinedNormalsMakeTheSphereTrue)
   EXPECT_LT(error, std::abs(VolumeOf(thesis.Mesh.Mesh) / truth - 1));
 }
 
+TEST(ImplicitSurface, TipsDoNotSpoilTheVolume)
+{
+  // Slices that touch the poles, as phantoms have: in-plane margins there cost 2% to 5%.
+  handmade::Maker maker;
+  for (const double end : { -12.0, 12.0 })
+  {
+    maker.AddCircle(maker.AddLevel({ 0, 0, 1 }, end), { 0, 0 }, 0.1, 6);
+  }
+  for (int i = -3; i <= 3; ++i)
+  {
+    const double z = 3.0 * i;
+    maker.AddCircle(maker.AddLevel({ 0, 0, 1 }, z), { 0, 0 }, std::sqrt(144 - z * z), 60);
+  }
+  ImplicitSurfaceOptions options;
+  options.Polygonizer.Box = Bounds{ -15, 15, -15, 15, -15, 15 };
+  const double truth = 4.0 / 3 * handmade::Pi * 12 * 12 * 12;
+  const ImplicitSurface ball = Build(maker.Finish(), options);
+  ExpectSoundSurface(ball.Mesh.Mesh);
+  EXPECT_LT(std::abs(VolumeOf(ball.Mesh.Mesh) / truth - 1), 0.002);
+  options.Constraints.Normals = ConstraintOptions::InPlane;
+  EXPECT_GT(std::abs(VolumeOf(Build(maker.Finish(), options).Mesh.Mesh) / truth - 1), 0.004);
+}
+
 TEST(ImplicitSurface, TorusHasAHandle)
 {
   const ImplicitSurface torus = Build(handmade::TorusSlices(10, 4, 15, 24), Coarse());
