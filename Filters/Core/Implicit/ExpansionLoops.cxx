@@ -3,8 +3,9 @@
 
 #include <cmath>
 
-// Three versions of each loop, chosen when the program is loaded.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
+// Three versions of each loop, chosen when the program is loaded. Compilers that do not know the
+// levels by name (GCC before 12) and other processors make the plain one alone.
+#if defined(__x86_64__) && defined(__GNUC__) && __GNUC__ >= 12 && !defined(__clang__) && \
   !defined(__SANITIZE_ADDRESS__)
 #define RECON_VERSIONS __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
 #else

@@ -28,15 +28,22 @@ namespace recon
  * Far boxes of an adaptive octree act on one another through Chebyshev series of total degree p
  * (ChebyshevOperators.h); what is near is summed exactly. Series instead of the interpolation at
  * p^3 nodes of Fong and Darve, because the kernel's coefficients fall off so quickly that the
- * matrices between boxes are sparse to working accuracy: no singular value decomposition, a sixth
+ * matrices between boxes are sparse to working accuracy: no singular value decomposition, a tenth
  * of the numbers at p = 7.
  *
  * **Accuracy.** The error of s(x) is at most a times the largest sum_j |w_j| |c_i - c_j|^3 of all
- * centres, whatever the weights (tested for a = 1e-3 to 1e-12). The order p falls with the size of
+ * centres, whatever the weights (tested for a = 1e-3 to 1e-12; orders
+ * end at 17, so that at 1e-13 up to 3e-13 was measured). The order p falls with the size of
  * the boxes, as the kernel does (a variable order: Tausch 2004). Weights of contour constraints
  * nearly cancel (three a point: inside, on, outside), so that s itself can be 1e-5 of that sum: ask
  * for an accuracy that much finer, and let SampledError() measure what came of it against exact
  * sums.
+ *
+ * **Time.** One thread, AVX-512, CPU seconds for SetWeights and ValuesAtCentres on a surface of
+ * 100 800 centres: 0.10 at 1e-7, 0.20 at 1e-10, 0.45 at 1e-12; for a million 1.8 at 1e-10 and
+ * 0.5 GB. All pairs take 0.56 ns each, so that they are faster below some 4 000 centres at 1e-8 and
+ * 11 000 at 1e-12; the operators of orders above 10 (accuracies below 1e-9) take half a second once
+ * in a process.
  *
  * Results are the same to the last bit for any number of threads; they may differ in the last bits
  * between processors that fuse a product and a sum and those that do not.

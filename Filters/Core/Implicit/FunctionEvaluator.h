@@ -26,7 +26,8 @@ namespace recon
  * raised until it is small enough or as fine as it goes; LargestError() is what was measured.
  *
  * The value at a point is the same to the last bit whatever else is asked for, and for any number
- * of threads: a corner never has two signs.
+ * of threads: a corner never has two signs. Calls use threads of their own; make them one after the
+ * other.
  */
 class FunctionEvaluator
 {
