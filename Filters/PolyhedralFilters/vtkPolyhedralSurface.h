@@ -78,9 +78,11 @@ public:
 
   ///@{
   /**
-   * Which contours of adjacent levels may be joined: Proximity, the default, lets the Voronoi
-   * diagrams alone decide (thesis chapter 5); Overlap joins only regions that share more than
-   * OverlapThreshold of the smaller one's area (thesis chapter 3).
+   * Which contours of adjacent levels may be joined: Proximity lets the Voronoi diagrams alone
+   * decide (thesis chapter 5); Overlap, the default, joins only regions that share more than
+   * OverlapThreshold of the smaller one's area (thesis chapter 3). It is the default because
+   * Proximity bridges a finger that ends to its neighbour, which is a handle too many (see
+   * Data/TRUTH.md).
    */
   vtkSetClampMacro(Mapping, int, Proximity, Overlap);
   vtkGetMacro(Mapping, int);
@@ -116,9 +118,10 @@ public:
 
   ///@{
   /**
-   * How the surface ends above a contour that has no partner: Flat in its plane (default),
-   * HalfSlice straight on, Tapered, or NoCaps, open. The volume that the caps add is in the field
-   * data `EndCapVolume`.
+   * How the surface ends above a contour that has no partner: Flat in its plane, HalfSlice
+   * straight on, Tapered, or NoCaps, open. Tapered also rounds off a part of a contour that ends
+   * although the rest goes on. It is the default because it is nearest to the truth (see
+   * Data/TRUTH.md). The volume that the caps add is in the field data `EndCapVolume`.
    */
   vtkSetClampMacro(EndCaps, int, Flat, NoCaps);
   vtkGetMacro(EndCaps, int);
@@ -160,12 +163,12 @@ private:
 
   bool InternalPoints = true;
   bool LiftInternalPoints = true;
-  int Mapping = Proximity;
+  int Mapping = Overlap;
   double OverlapThreshold = 0.1;
   std::vector<std::pair<int, int>> ForcedJoins;
   std::vector<std::pair<int, int>> ForbiddenJoins;
   double MaximumGap = 5.0;
-  int EndCaps = Flat;
+  int EndCaps = Tapered;
   int IsolatedContours = Drop;
   int Threads = 0;
 };

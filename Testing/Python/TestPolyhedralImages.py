@@ -58,7 +58,7 @@ show(simple.Shrink(Input=kept, ShrinkFactor=0.8), view, ("CELLS", "NodeType"), "
 picture("JointVoronoiDiagramPipe", view)
 
 view = new_view(oblique)
-show(simple.PolyhedralSurface(Input=pipe), view, ("CELLS", "FaceKind"))
+show(simple.PolyhedralSurface(Input=pipe, EndCaps="Flat"), view, ("CELLS", "FaceKind"))
 picture("PolyhedralSurfacePipe", view)
 
 brain = simple.NUAGESContourReader(FileName=ct.own("brain.cnt"))

@@ -64,7 +64,7 @@ def closed(data):
 
 
 # A prism has one answer.
-data = ct.data(simple.PolyhedralSurface(Input=loops(square(0), square(3))))
+data = ct.data(simple.PolyhedralSurface(Input=loops(square(0), square(3)), EndCaps="Flat"))
 ct.check(closed(data), "the prism is closed and oriented")
 ct.check(abs(volume(data) - 12) < 1e-12, f"the prism's volume is 12, not {volume(data)}")
 kind = array(data.GetCellData(), "FaceKind")
@@ -170,7 +170,7 @@ for i, part in enumerate(parts):
     collection.SetPartition(i, 0, ct.data(part))
 producer = simple.PVTrivialProducer()
 producer.GetClientSideObject().SetOutput(collection)
-proxy = simple.PolyhedralSurface(Input=producer)
+proxy = simple.PolyhedralSurface(Input=producer, EndCaps="Flat")
 listener = Listener(proxy)
 out = ct.data(proxy)
 blocks = [out.GetPartition(i, 0) if out.GetNumberOfPartitions(i) else None for i in range(3)]

@@ -17,6 +17,8 @@
 
 namespace recon
 {
+/// The defaults are the thesis's own method, with flat ends; those of the filter that users meet
+/// are what comes nearest to the truth.
 struct PolyhedralOptions
 {
   enum MappingType
@@ -28,7 +30,7 @@ struct PolyhedralOptions
   {
     Flat = 0,      ///< in the plane of the contour: no volume added
     HalfSlice = 1, ///< half a slice straight on, as planning systems count volumes
-    Tapered = 2,   ///< rounded off within half a slice
+    Tapered = 2,   ///< rounded off: see EndShare and PartialEnds.h
     NoCaps = 3     ///< left open: the surface is then not closed
   };
   enum IsolatedContoursType
