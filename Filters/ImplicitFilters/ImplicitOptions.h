@@ -38,6 +38,7 @@ FunctionOptions FunctionOptionsOf(Filter* filter)
   options.SupportRadius = filter->GetSupportRadius();
   options.Solver = static_cast<FunctionOptions::SolverType>(filter->GetSolver());
   options.Tolerance = filter->GetTolerance();
+  options.CentreReduction = filter->GetCentreReduction();
   options.Smoothing = filter->GetSmoothing();
   options.Threads = filter->GetThreads();
   return options;

@@ -57,6 +57,7 @@ void vtkImplicitFunctionFit::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SupportRadius: " << this->SupportRadius << "\n";
   os << indent << "Solver: " << this->Solver << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
+  os << indent << "CentreReduction: " << this->CentreReduction << "\n";
   os << indent << "Smoothing: " << this->Smoothing << "\n";
   os << indent << "Threads: " << this->Threads << "\n";
 }

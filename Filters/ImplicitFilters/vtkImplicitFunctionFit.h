@@ -83,6 +83,16 @@ public:
 
   ///@{
   /**
+   * 0, the default: every constraint is a centre of the function. Larger: the fewest centres, found
+   * greedily (Carr and others 2001), with which no constraint is missed by more than this, in the
+   * unit of Value. Report tells how many.
+   */
+  vtkSetMacro(CentreReduction, double);
+  vtkGetMacro(CentreReduction, double);
+  ///@}
+
+  ///@{
+  /**
    * 0, the default: constraints are met exactly. Larger values (1e-6 little, 1e-3 much) let the
    * function miss them and be smoother; no unit.
    */
@@ -113,6 +123,7 @@ private:
   double SupportRadius = 0.0;
   int Solver = Automatic;
   double Tolerance = 0.0;
+  double CentreReduction = 0.0;
   double Smoothing = 0.0;
   int Threads = 0;
 };

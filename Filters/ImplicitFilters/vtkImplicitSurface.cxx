@@ -86,6 +86,7 @@ void vtkImplicitSurface::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SupportRadius: " << this->SupportRadius << "\n";
   os << indent << "Solver: " << this->Solver << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
+  os << indent << "CentreReduction: " << this->CentreReduction << "\n";
   os << indent << "Smoothing: " << this->Smoothing << "\n";
   os << indent << "CellSize: " << this->CellSize << "\n";
   os << indent << "UseBounds: " << this->UseBounds << "\n";

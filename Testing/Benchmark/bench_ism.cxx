@@ -10,6 +10,7 @@
  * and of processor time, the misfit, the process's largest memory. A process of its own, because
  * memory that was once taken cannot be told from memory that is needed.
  */
+#include "Implicit/FunctionEvaluator.h"
 #include "Implicit/ImplicitFunction.h"
 #include "Implicit/KernelSums.h"
 #include "Implicit/Polygonizer.h"
@@ -166,7 +167,9 @@ void BenchEvaluation(const ImplicitFunction& function, int count, int threads)
   constexpr int Sample = 10000;
   const std::vector<Point3> points = Spread(function.Centres, count);
   const Times start = Now();
-  const std::vector<double> values = function.Evaluate(points, threads);
+  Monitor monitor;
+  const FunctionEvaluator evaluator(function, threads);
+  const std::vector<double> values = evaluator.Values(points, monitor);
   const Times took = Since(start);
   double error = 0;
   const int step = std::max(1, count / Sample);

@@ -151,7 +151,7 @@ class Bench:
         print(text, flush=True)
 
     def measure(self, label, constraints):
-        file = os.path.join(FOLDER, "constraints.bin")
+        file = os.path.join(FOLDER, f"constraints-{os.getpid()}.bin")
         constraints.tofile(file)
         n, scale = len(constraints), abs(constraints[:, 3]).max()
         size = numpy.linalg.norm(constraints[:, :3].max(axis=0) - constraints[:, :3].min(axis=0))

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "../Parallel.h"
 #include "AvailableMemory.h"
+#include "CentreReduction.h"
 #include "ImplicitFunction.h"
 #include "IterativeRbfSystem.h"
 #include "KernelSums.h"
@@ -466,6 +467,10 @@ void CheckOptions(const FunctionOptions& options)
   {
     throw Error("Tolerance must be positive, or 0 to have it chosen.");
   }
+  if (!(options.CentreReduction >= 0) || !std::isfinite(options.CentreReduction))
+  {
+    throw Error("CentreReduction must be positive, or 0 to make every constraint a centre.");
+  }
   if (!(options.SupportRadius >= 0) || !std::isfinite(options.SupportRadius))
   {
     throw Error("SupportRadius must be positive, or 0 to have it chosen.");
@@ -519,6 +524,13 @@ ImplicitFunction FitImplicitFunction(const std::vector<Point3>& points,
     throw Error(
       "All constraints lie in one plane, where they say nothing about the space around it: add "
       "contours on other planes.");
+  }
+
+  if (options.CentreReduction > 0)
+  {
+    ImplicitFunction reduced = FitWithFewCentres(merged.Points, merged.Values, options, monitor);
+    reduced.Report.insert(reduced.Report.begin(), function.Report.begin(), function.Report.end());
+    return reduced;
   }
 
   SubMonitor solving(monitor, 0, 0.95);

@@ -83,6 +83,9 @@ struct FunctionOptions
    * thousandth of half their range (1e-5 for +1 and -1).
    */
   double Tolerance = 0;
+  /// 0: every constraint is a centre. Larger: the fewest centres that greed finds with which no
+  /// constraint is missed by more than this, in the unit of the values (CentreReduction.h).
+  double CentreReduction = 0;
   /**
    * 0: f takes the values exactly. Larger: added to the diagonal of the system in unit-ball
    * coordinates, so it has no unit (1e-6 irons out noise, 1e-3 is very smooth); the misfit at c_j

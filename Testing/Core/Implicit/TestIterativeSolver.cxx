@@ -369,6 +369,25 @@ TEST(IterativeSolver, StopsWithinASecondWhereverItIs)
   }
 }
 
+TEST(CentreReduction, TakesFewerCentresAndMissesNoConstraintByMore)
+{
+  const Sample sample = shapes::WavyBall(40, 60, 0.05);
+  std::size_t before = sample.Points.size();
+  for (const double allowed : { 0.02, 0.2 })
+  {
+    FunctionOptions options;
+    options.CentreReduction = allowed;
+    Monitor monitor;
+    const ImplicitFunction function =
+      FitImplicitFunction(sample.Points, sample.Values, options, monitor);
+    EXPECT_LE(function.Residual, allowed);
+    EXPECT_NEAR(function.Residual, LargestMisfit(function, sample), 1e-4 * allowed);
+    EXPECT_LT(function.Centres.size(), before * 3 / 4);
+    EXPECT_TRUE(Says(function, std::to_string(function.Centres.size()) + " of 7200"));
+    before = function.Centres.size();
+  }
+}
+
 TEST(Solver, AutomaticChoosesByTimeAndMemory)
 {
   FunctionOptions options;
