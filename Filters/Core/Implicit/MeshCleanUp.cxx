@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "MeshCleanUp.h"
 
+#include "../Mesh/TrianglePair.h"
 #include "PointGrid.h"
 
 #include <algorithm>
@@ -20,6 +21,13 @@ constexpr double LongEdge = 1.7;
 constexpr double LeastAgreement = 0.35;
 /// The same where a sliver has to go at any (safe) price.
 constexpr double LastResortAgreement = 0.05;
+/// The same where not even that mends it: the surface's normals are not asked, as they say nothing
+/// where a wall is thinner than a cell or the bounds cut it; no triangle may turn from itself.
+constexpr double OwnAgreement = -2;
+/// Cosine that a triangle keeps with itself then.
+constexpr double LeastOwnAgreement = 0.5;
+/// Triangles with a smaller angle (degrees) are worked on then.
+constexpr double NeedleAngle = 2;
 /// Triangles with a smaller angle (degrees) are worked on after the regular rounds.
 constexpr double SliverAngle = 5;
 /// A snapped vertex may not make an angle smaller than this (degrees).
@@ -54,6 +62,7 @@ public:
       Around(mesh.Points.size()),
       Border(mesh.Points.size(), 0),
       Pinned(mesh.Points.size(), 0),
+      Mesh(mesh),
       EdgeLength(edgeLength)
   {
     for (int t = 0; t < static_cast<int>(this->T.size()); ++t)
@@ -148,8 +157,10 @@ public:
     {
       return false;
     }
-    towardV >= towardU ? this->Merge(u, v) : this->Merge(v, u);
-    return true;
+    const int from = towardV >= towardU ? u : v;
+    const Changes before = this->Remember(this->Around[from]);
+    this->Merge(from, from == u ? v : u);
+    return agreement > OwnAgreement || this->KeepUncrossed(before);
   }
 
   /// Flips the edge where that makes the smaller of the two triangles' least angles larger.
@@ -176,13 +187,15 @@ public:
       std::min(this->AngleOf(this->T[both[0]]), this->AngleOf(this->T[both[1]]));
     const double after = std::min(this->AngleOf(first), this->AngleOf(second));
     if (!(after > before * 1.0001 + 1e-9) || !this->Agrees(first, agreement) ||
-      !this->Agrees(second, agreement) || !this->Agree(first, second))
+      !this->Agrees(second, agreement) || !this->Agree(first, second) ||
+      !this->MayReplace(both, { first, second }, agreement))
     {
       return false;
     }
+    const Changes old = this->Remember(both);
     this->Replace(both[0], first);
     this->Replace(both[1], second);
-    return true;
+    return agreement > OwnAgreement || this->KeepUncrossed(old);
   }
 
   bool Agrees(const Triangle& t, double agreement) const
@@ -261,6 +274,84 @@ public:
   std::vector<char> Pinned;
 
 private:
+  using Changes = std::vector<std::pair<int, Triangle>>; ///< triangles by number, as they were
+
+  Changes Remember(const std::vector<int>& triangles) const
+  {
+    Changes all;
+    for (const int t : triangles)
+    {
+      all.emplace_back(t, this->T[t]);
+    }
+    return all;
+  }
+
+  /// Takes a change back where a changed triangle crosses another one. @returns whether it stays.
+  bool KeepUncrossed(const Changes& before)
+  {
+    for (const auto& [t, old] : before)
+    {
+      if (this->T[t][0] >= 0 && this->Crosses(t))
+      {
+        this->Restore(before);
+        return false;
+      }
+    }
+    return true;
+  }
+
+  void Restore(const Changes& before)
+  {
+    for (const auto& [t, old] : before)
+    {
+      if (this->T[t][0] >= 0)
+      {
+        this->Detach(t);
+      }
+      this->T[t] = old;
+      for (const int v : old)
+      {
+        this->Around[v].push_back(t);
+      }
+    }
+  }
+
+  /// Every other triangle is looked at: there are few needles, and no tree to keep up to date.
+  bool Crosses(int t) const
+  {
+    for (int s = 0; s < static_cast<int>(this->T.size()); ++s)
+    {
+      if (s == t || this->T[s][0] < 0 || this->Apart(s, t))
+      {
+        continue;
+      }
+      const PairRelation relation = RelateTriangles(this->Mesh, s, t);
+      if (relation == PairRelation::Crossing || relation == PairRelation::Overlapping)
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// Are the triangles' boxes disjoint?
+  bool Apart(int s, int t) const
+  {
+    for (int a = 0; a < 3; ++a)
+    {
+      const auto range = [&](const Triangle& x) {
+        return std::minmax({ this->P[x[0]][a], this->P[x[1]][a], this->P[x[2]][a] });
+      };
+      const auto [lowS, highS] = range(this->T[s]);
+      const auto [lowT, highT] = range(this->T[t]);
+      if (highS < lowT || highT < lowS)
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
   static bool Has(const Triangle& t, int v) { return t[0] == v || t[1] == v || t[2] == v; }
 
   static int Third(const Triangle& t, int u, int v)
@@ -289,6 +380,34 @@ private:
   bool Agree(const Triangle& s, const Triangle& t) const
   {
     return Dot(this->AreaNormal(s), this->AreaNormal(t)) > 0;
+  }
+
+  /// Does a triangle keep its direction? A needle has none.
+  bool KeepsItself(const Triangle& before, const Triangle& after) const
+  {
+    const Vector3 old = this->AreaNormal(before);
+    const Vector3 now = this->AreaNormal(after);
+    return this->AngleOf(before) < SliverAngle * Pi / 180 ||
+      Dot(old, now) > LeastOwnAgreement * Norm(old) * Norm(now);
+  }
+
+  bool MayReplace(
+    const std::vector<int>& before, const std::array<Triangle, 2>& after, double agreement) const
+  {
+    if (agreement > OwnAgreement)
+    {
+      return true;
+    }
+    bool all = true;
+    bool any = false;
+    for (const int t : before)
+    {
+      const bool needle = this->AngleOf(this->T[t]) < SliverAngle * Pi / 180;
+      any = any || !needle;
+      all =
+        all && this->KeepsItself(this->T[t], after[0]) && this->KeepsItself(this->T[t], after[1]);
+    }
+    return all && any;
   }
 
   bool LinkAllows(int u, int v) const
@@ -338,7 +457,9 @@ private:
         continue;
       }
       std::replace(moved.begin(), moved.end(), u, v);
-      if (!this->Agrees(moved, agreement) || this->LongestEdge(moved) > LongEdge * this->EdgeLength)
+      if (!this->Agrees(moved, agreement) ||
+        this->LongestEdge(moved) > LongEdge * this->EdgeLength ||
+        (agreement <= OwnAgreement && !this->KeepsItself(this->T[t], moved)))
       {
         return -1;
       }
@@ -392,6 +513,7 @@ private:
     }
   }
 
+  const TriangleMesh& Mesh; ///< P and T
   double EdgeLength;
 };
 
@@ -523,12 +645,19 @@ void RemoveSlivers(Editor& editor, const Projector& project)
     const double agreement = pass < MaximumSliverPasses / 2 ? LeastAgreement : LastResortAgreement;
     if (MendSlivers(editor, SliverAngle * Pi / 180, agreement) == 0 && pass > 0)
     {
-      return;
+      break;
     }
     FlipEdges(editor);
     if (pass % 3 == 2)
     {
       Spread(editor, project);
+    }
+  }
+  for (int pass = 0; pass < MaximumSliverPasses; ++pass)
+  {
+    if (MendSlivers(editor, NeedleAngle * Pi / 180, OwnAgreement) == 0)
+    {
+      break;
     }
   }
 }

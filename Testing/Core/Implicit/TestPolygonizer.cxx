@@ -127,6 +127,28 @@ TEST(Polygonizer, OnlyWhatSeedsTouch)
   EXPECT_EQ(CheckTopology(one.Mesh).Total.Components, 1);
 }
 
+TEST(Polygonizer, NoNeedlesWhereWallsAreThinnerThanCells)
+{
+  // Two rods whose gap is a third of a cell, cut off by the bounds: normals there say nothing.
+  handmade::Maker maker;
+  for (int i = 0; i < 6; ++i)
+  {
+    const int level = maker.AddLevel({ 0, 0, 1 }, 2.0 * i);
+    maker.AddCircle(level, { -3.15 - 0.03 * i, 0 }, 3, 30, 0.05 * i);
+    maker.AddCircle(level, { 3.15, 0.1 * i }, 3, 30);
+  }
+  const ContourFit rods = Fit(maker.Finish());
+  for (const double size : { 0.5, 0.63, 0.81, 0.97, 1.1 })
+  {
+    PolygonizerOptions options;
+    options.CellSize = size;
+    options.Box = Bounds{ -6.05, 6.1, -4, 4, -0.03, 10.04 };
+    const ImplicitMesh mesh = Mesh(rods, options);
+    ExpectSoundSurface(mesh.Mesh);
+    EXPECT_GE(mesh.LeastAngle, 1) << size;
+  }
+}
+
 TEST(Polygonizer, SnapsContourPoints)
 {
   PolygonizerOptions options;
