@@ -10,29 +10,26 @@ namespace recon
 {
 namespace
 {
-/// The coordinate axis that all levels are perpendicular to, or -1.
-int CommonAxis(const ContourSet& contours)
-{
-  for (int a = 0; a < 3; ++a)
-  {
-    const bool all = std::all_of(contours.Levels.begin(), contours.Levels.end(),
-      [a](const Level& level) { return std::abs(level.Frame.Normal[a]) > 1 - 1e-9; });
-    if (all && !contours.Levels.empty())
-    {
-      return a;
-    }
-  }
-  return -1;
-}
+/// A contour that reaches beyond the outermost level by less than this part of the gap lies in it.
+constexpr double LeastReach = 1e-3;
 
-double MedianGap(const ContourSet& contours, int axis)
+/// Where the levels perpendicular to a coordinate axis lie on it, in rising order.
+std::vector<double> HeightsOn(const ContourSet& contours, int axis)
 {
   std::vector<double> heights;
   for (const Level& level : contours.Levels)
   {
-    heights.push_back(level.Offset * level.Frame.Normal[axis]);
+    if (std::abs(level.Frame.Normal[axis]) > 1 - 1e-9)
+    {
+      heights.push_back(level.Offset * level.Frame.Normal[axis]);
+    }
   }
   std::sort(heights.begin(), heights.end());
+  return heights;
+}
+
+double MedianGap(const std::vector<double>& heights)
+{
   std::vector<double> gaps;
   for (std::size_t l = 1; l < heights.size(); ++l)
   {
@@ -65,13 +62,25 @@ Bounds ChooseBoundsOf(const ContourSet& contours)
 {
   const std::vector<Point3> seeds = SeedsOf(contours);
   Bounds box = ChooseBounds(seeds, std::nullopt);
-  const int axis = CommonAxis(contours);
-  const double gap = axis < 0 ? 0 : MedianGap(contours, axis);
-  if (gap > 0)
+  const Bounds tight = BoundsOf(seeds);
+  for (int axis = 0; axis < 3; ++axis)
   {
-    const Bounds tight = BoundsOf(seeds);
-    box[2 * axis] = tight[2 * axis] - 0.5 * gap;
-    box[2 * axis + 1] = tight[2 * axis + 1] + 0.5 * gap;
+    const std::vector<double> heights = HeightsOn(contours, axis);
+    const double gap = MedianGap(heights);
+    if (!(gap > 0))
+    {
+      continue;
+    }
+    // Contours of other planes that reach farther tell where the solid ends there.
+    const double drawn = LeastReach * gap;
+    if (heights.front() <= tight[2 * axis] + drawn)
+    {
+      box[2 * axis] = heights.front() - 0.5 * gap;
+    }
+    if (heights.back() >= tight[2 * axis + 1] - drawn)
+    {
+      box[2 * axis + 1] = heights.back() + 0.5 * gap;
+    }
   }
   return box;
 }

@@ -29,8 +29,9 @@ struct ImplicitSurface
 /**
  * Constraints, function and polygonizer in one call with one progress bar.
  *
- * Where no bounds are given and all levels are parallel to a coordinate plane, the solid ends half
- * a level's distance beyond the first and the last level, as segmentations of slices are meant.
+ * Where no bounds are given, the solid ends half a level's distance beyond the first and the last
+ * of the levels that are parallel to a coordinate plane, as segmentations of slices are meant; but
+ * not on a side where contours of other levels reach farther, as they tell its end.
  *
  * @throws Error as the stages do; Aborted.
  */
