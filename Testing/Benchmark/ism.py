@@ -6,7 +6,7 @@
 
 Every fit is a process of its own; times are processor and wall seconds, memory is the process's largest. The rivals, and
 matplotlib for the plot, are installed into an environment in the build folder (PyPI, through pip). The quick run above takes a few
-minutes; the full one is --sizes 3000,10020,29700,100800,300000,1000000 --distances 0.01,0.003 --real lung,body,vetebrae
+minutes; real sets alone are --shapes= --real ..., and the full run is --sizes 3000,10020,29700,100800,300000,1000000 --distances 0.01,0.003 --real lung,body,vetebrae
 --evaluate 1000000 --surface.
 
 Generated shapes have values 0, +1, -1 at a point of the surface and d inside and outside of it in its slice's plane:
