@@ -255,7 +255,7 @@ and closed meshes cut by 24 planes, at the middles of 24 equal slices, along eac
 Data/TRUTH.md`. *Mean* and *largest* are distances between the two surfaces, both ways, in the units of the set; *SI* pairs of triangles
 that cross or overlap and edges where sheets cross; *open* edges without two faces; *seconds* processor time on one thread. Figures of
 SlicerRT's contour conversion and the best of the mask tools were measured on the same cuts. Masks filled from distances interpolated
-between slices still have the smaller largest distance: they are smooth across slices, where this surface is made of flat triangles that pass
+between slices mostly have the smaller largest distance: they are smooth across slices, where this surface is made of flat triangles that pass
 through every contour vertex.
 
 """

@@ -190,6 +190,31 @@ TEST(PolyhedralSurface, OneToTwoHasNoHandle)
   EXPECT_EQ(CheckTopology(BuildSurface(OneToTwo()).Mesh).Total.Euler, 2);
 }
 
+TEST(PolyhedralSurface, ALobeThatEndsIsRoundedOff)
+{
+  // A square and a round lobe joined by a bar, twice; above them only the square goes on.
+  Ring bars{ { -3, -1 }, { -1, -1 }, { -1, -0.3 } };
+  for (int i = -5; i <= 5; ++i)
+  {
+    const double angle = FullTurn * i / 12;
+    bars.push_back({ 5 + std::cos(angle), std::sin(angle) });
+  }
+  bars.insert(bars.end(), { { -1, 0.3 }, { -1, 1 }, { -3, 1 } });
+  const ContourSet contours = BuildStack({ { bars }, { bars }, { Rectangle(-3, -1, -1, 1) } });
+  PolyhedralOptions options;
+  options.EndCaps = PolyhedralOptions::Tapered;
+  const PolyhedralSurface surface = BuildSurface(contours, options);
+  ExpectKeepsPromises(surface, contours);
+  EXPECT_EQ(CheckTopology(surface.Mesh).Total.Euler, 2);
+  double highest = 0;
+  for (const Point3& p : surface.Mesh.Points)
+  {
+    highest = p[0] > 4 ? std::max(highest, p[2]) : highest;
+  }
+  // Half a slab, as the wall below is upright; a cone to the left square would be below a sixth.
+  EXPECT_NEAR(highest, 1.5, 1e-9);
+}
+
 TEST(PolyhedralSurface, RingOverRingIsATorus)
 {
   const std::vector<Ring> ring{ RegularPolygon(40, 3), RegularPolygon(30, 1.5, 0.1) };
