@@ -133,8 +133,8 @@ std::vector<double> Misses(
 
 struct Votes
 {
-  std::size_t Better = 0; ///< vertices that refining predicts no worse
-  std::size_t All = 0;
+  std::size_t Better = 0; ///< vertices that refining predicts better
+  std::size_t All = 0;    ///< that either predicts better
 
   bool Pass() const
   {
@@ -162,9 +162,10 @@ void Vote(const ContourSet& contours, int turn, const ConstraintOptions& constra
   const std::vector<double> twice = Misses(refinement.Second, unseen, functionOptions.Threads);
   for (std::size_t i = 0; i < once.size(); ++i)
   {
-    votes.Better += twice[i] < once[i] + tie ? 1 : 0;
+    // Vertices that both predict as well abstain.
+    votes.Better += twice[i] < once[i] - tie ? 1 : 0;
+    votes.All += std::abs(twice[i] - once[i]) > tie ? 1 : 0;
   }
-  votes.All += once.size();
 }
 
 Votes VoteAll(const ContourSet& contours, const ConstraintOptions& constraintOptions,
