@@ -25,10 +25,14 @@ namespace
 constexpr int Simplex = MaxMinOrder::Simplex;
 constexpr int GroupsPerPiece = 8;
 constexpr int RowsPerPiece = 4096;
-/// Kernels in the unit ball are up to 8, so a pivot below this is their rounding: to working
-/// precision the point repeats those before it. It gets no weight; what the others make there is
-/// its misfit.
-constexpr double LeastPivot = 1e-12;
+/// Kernels in the unit ball are up to 8, so a pivot below this has lost most of its digits to
+/// rounding, as where two points are 1e-4 of the ball apart: such a group is factorised again in
+/// long double.
+constexpr double LeastSurePivot = 1e-12;
+/// Below this, weights would grow so large that the products' own rounding, in doubles, were more
+/// than the values: to working precision the point repeats those before it. It gets no weight; what
+/// the others make there is its misfit.
+constexpr double LeastPivot = 1e-13;
 /// Right-hand sides that are solved for side by side.
 constexpr int Lanes = 8;
 
@@ -65,8 +69,10 @@ RECON_WIDE void SubtractOne(double* a, const double* column, double factor, int 
 
 /// Column k of the factor, from a column that all before it have been subtracted from; 0 where the
 /// point repeats others.
-void FinishColumn(double* column, int k, int size)
+/// @return whether its pivot was sure.
+bool FinishColumn(double* column, int k, int size)
 {
+  const bool sure = column[k] > LeastSurePivot;
   const bool repeats = !(column[k] > LeastPivot);
   column[k] = repeats ? 0 : std::sqrt(column[k]);
   const double factor = repeats ? 0 : 1 / column[k];
@@ -74,13 +80,15 @@ void FinishColumn(double* column, int k, int size)
   {
     column[i] *= factor;
   }
+  return sure;
 }
 
 /// Cholesky's factor in place of the lower triangle, column after column; four at a time are
-/// subtracted from the rest.
-void Cholesky(double* a, int size)
+/// subtracted from the rest. @return whether every pivot was sure.
+bool Cholesky(double* a, int size)
 {
   constexpr int Width = 4;
+  bool sure = true;
   for (int from = 0; from < size; from += Width)
   {
     const int to = std::min(size, from + Width);
@@ -92,7 +100,7 @@ void Cholesky(double* a, int size)
         const double* done = a + static_cast<std::size_t>(q) * size;
         SubtractOne(column + k, done + k, done[k], size - k);
       }
-      FinishColumn(column, k, size);
+      sure = FinishColumn(column, k, size) && sure;
     }
     if (to - from < Width)
     {
@@ -110,6 +118,7 @@ void Cholesky(double* a, int size)
         a + j + static_cast<std::size_t>(j) * size, block + j, size, factors.data(), size - j);
     }
   }
+  return sure;
 }
 
 /// x := L^-T x for eight right-hand sides beside one another, rows [0, last].
@@ -171,7 +180,8 @@ public:
   std::vector<double> Matrix;
   std::vector<double> Right;
   std::vector<double> X, Y, Z;
-  std::vector<double> LQ; ///< the eight rows l, q side by side
+  std::vector<double> LQ;        ///< points and the eight rows l, q side by side
+  std::vector<long double> Wide; ///< the matrix again, row after row, where doubles do not suffice
 
   /// The lower triangle of K on a set of ranks.
   void Fill(const InverseCholesky& self, const std::int32_t* set, int size);
@@ -437,7 +447,11 @@ void InverseCholesky::Factorise(int at, Workspace& work)
   const Group& group = this->Groups[at];
   const int size = group.SetSize;
   work.Fill(*this, this->Sets.data() + group.Set, size);
-  Cholesky(work.Matrix.data(), size);
+  if (!Cholesky(work.Matrix.data(), size))
+  {
+    this->FactoriseWide(at, work);
+    return;
+  }
   double* out = this->Entries.data() + group.Columns;
   for (int from = 0; from < group.Members; from += Lanes)
   {
@@ -458,6 +472,61 @@ void InverseCholesky::Factorise(int at, Workspace& work)
         *out++ = work.Right[static_cast<std::size_t>(i) * Lanes + l];
       }
     }
+  }
+}
+
+void InverseCholesky::FactoriseWide(int at, Workspace& work)
+{
+  using Wide = long double;
+  const Group& group = this->Groups[at];
+  const int size = group.SetSize;
+  const Wide lambda = this->Options.Lambda;
+  const double* rows = work.LQ.data();
+  const auto of = [&](int i, int column)
+  { return static_cast<Wide>(rows[i + static_cast<std::size_t>(column) * size]); };
+  work.Wide.assign(static_cast<std::size_t>(size) * size, 0);
+  Wide* factor = work.Wide.data();
+  for (int i = 0; i < size; ++i)
+  {
+    Wide* row = factor + static_cast<std::size_t>(i) * size;
+    for (int j = 0; j <= i; ++j)
+    {
+      const Wide x = of(i, 0) - of(j, 0);
+      const Wide y = of(i, 1) - of(j, 1);
+      const Wide z = of(i, 2) - of(j, 2);
+      const Wide square = x * x + y * y + z * z;
+      Wide k = square * std::sqrt(square) + (i == j ? lambda : 0);
+      for (int a = 0; a < 4; ++a)
+      {
+        k -= of(i, 3 + a) * of(j, 7 + a) + of(j, 3 + a) * of(i, 7 + a);
+        k += lambda * of(i, 3 + a) * of(j, 3 + a);
+      }
+      const Wide* before = factor + static_cast<std::size_t>(j) * size;
+      for (int q = 0; q < j; ++q)
+      {
+        k -= row[q] * before[q];
+      }
+      row[j] = i == j ? (k > LeastPivot ? std::sqrt(k) : 0) : (before[j] > 0 ? k / before[j] : 0);
+    }
+  }
+  double* out = this->Entries.data() + group.Columns;
+  std::vector<Wide> column;
+  for (int m = 0; m < group.Members; ++m)
+  {
+    const int last = this->MemberAt[group.Member + m];
+    column.assign(last + 1, 0);
+    column[last] = 1;
+    for (int i = last; i >= 0; --i)
+    {
+      const Wide* row = factor + static_cast<std::size_t>(i) * size;
+      column[i] = row[i] > 0 ? column[i] / row[i] : 0;
+      for (int q = 0; q < i; ++q)
+      {
+        column[q] -= row[q] * column[i];
+      }
+    }
+    out = std::transform(
+      column.begin(), column.end(), out, [](Wide x) { return static_cast<double>(x); });
   }
 }
 

@@ -84,6 +84,7 @@ private:
   void GroupLevel(std::vector<int> ranks);
   void FindSets(Monitor& monitor);
   void Factorise(int group, Workspace& work);
+  void FactoriseWide(int group, Workspace& work);
   void FindSlots();
   Row Barycentric(const Point3& x) const;
 
