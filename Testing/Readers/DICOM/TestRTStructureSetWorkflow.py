@@ -61,15 +61,18 @@ ct.check(levels >= 30, f"contours on {levels} slices")
 ct.check(rt.strings(result, "ROIName") == ["Heart"], "the name has come through the pipeline")
 
 
-def volume_between(contours_proxy):
-    """Area of all slices times their distance, mm3."""
-    areas = ct.data(simple.ContourHierarchy(Input=contours_proxy)).GetCellData().GetArray("SignedArea")
-    return 3.0 * sum(areas.GetValue(i) for i in range(areas.GetNumberOfTuples()))
+def volume_of_drawn_slices(contours_proxy):
+    """Area of all slices that the heart is drawn on times their distance, mm3; how it goes on beyond, nobody drew."""
+    hierarchy = ct.data(simple.ContourHierarchy(Input=contours_proxy))
+    areas = hierarchy.GetCellData().GetArray("SignedArea")
+    inside = [c for c in range(hierarchy.GetNumberOfCells()) if LOWEST - 0.01 < height(hierarchy, c) < HIGHEST + 0.01]
+    return 3.0 * sum(areas.GetValue(c) for c in inside)
 
 
-volumes = volume_between(source_of(heart)), volume_between(contours)
-print(f"volume of all 33 drawn contours {volumes[0] / 1000:.1f} cm3, from 4 of them {volumes[1] / 1000:.1f} cm3")
-ct.check(abs(volumes[1] / volumes[0] - 1) < 0.1, f"the contours are those of the heart: {volumes}")
+LOWEST, HIGHEST = height(heart, order[0]), height(heart, order[-1])
+volumes = volume_of_drawn_slices(source_of(heart)), volume_of_drawn_slices(contours)
+print(f"volume of all 33 drawn slices {volumes[0] / 1000:.1f} cm3, from 4 of them {volumes[1] / 1000:.1f} cm3")
+ct.check(abs(volumes[1] / volumes[0] - 1) < 0.05, f"the contours are those of the heart: {volumes}")
 
 if os.path.exists(WRITTEN):
     os.remove(WRITTEN)
