@@ -24,6 +24,7 @@ import sys
 import numpy
 
 HERE = os.path.dirname(os.path.abspath(__file__))
+SHARED = os.environ.get("CONTOUR_SHARED_DATA", os.path.join(os.environ["CONTOUR_SOURCE_DIR"], "..", "shared", "data"))
 FOLDER = os.path.join(os.environ["CONTOUR_BIN_DIR"], "..", "bench-ism")
 DENSE_LIMIT = 10100  # above, a dense solver takes minutes and gigabytes
 
@@ -87,7 +88,7 @@ def real(name):
     simple.LoadPlugin(os.environ["CONTOUR_PLUGIN"], remote=False, ns=simple.__dict__)
     from vtkmodules.util.numpy_support import vtk_to_numpy
     file, roi = REAL[name]
-    path = os.path.join(os.environ["CONTOUR_SHARED_DATA"], file)
+    path = os.path.join(SHARED, file)
     if not os.path.exists(path):
         print(f"SKIPPED {name}: {path} is not there")
         return None

@@ -65,7 +65,7 @@ struct OffsetClass
  * The kernel is homogeneous (degree 3), so one set serves boxes of all sizes; the 316 offsets are
  * 16 classes up to reflections and permutations. A coefficient of the kernel falls off so quickly
  * with i + j + k on either side that entries below half the truncation's own error are left
- * out: at p = 7 some 1 500 of 14 400 stay, on average over the offsets.
+ * out: at p = 7 most of the 14 400 go.
  */
 class ChebyshevOperators
 {

@@ -23,9 +23,9 @@ constexpr std::size_t MostConstraintsToJudgeTwice = 12000;
 constexpr double Majority = 0.5;
 /// Differences below this part of the gap between the contours decide nothing.
 constexpr double TieOfGap = 0.01;
-/// What ThinOut's spacing is worth, as a part of the gap between the contours: denser points told
-/// nothing more on any set with a reference. Up to the whole gap where there are more points than
-/// are needed for that.
+/// What ThinOut's spacing is worth, as a part of the gap between the contours: denser points cost
+/// more and told little more on the sets tried. Up to the whole gap where there are more points
+/// than are needed for that.
 constexpr double LeastSpacingPerGap = 0.25;
 constexpr double SpacingGrowth = 1.25;
 constexpr std::size_t EnoughPoints = 3000;

@@ -28,7 +28,7 @@ namespace recon
  * Far boxes of an adaptive octree act on one another through Chebyshev series of total degree p
  * (ChebyshevOperators.h); what is near is summed exactly. Series instead of the interpolation at
  * p^3 nodes of Fong and Darve, because the kernel's coefficients fall off so quickly that the
- * matrices between boxes are sparse to working accuracy: no singular value decomposition, a tenth
+ * matrices between boxes are sparse to working accuracy: no singular value decomposition, a part
  * of the numbers at p = 7.
  *
  * **Accuracy.** The error of s(x) is at most a times the largest sum_j |w_j| |c_i - c_j|^3 of all
