@@ -8,7 +8,7 @@ import math
 import contourtesting as ct
 
 simple = ct.load_plugin()
-from vtkmodules.vtkCommonCore import VTK_DOUBLE, vtkIdList, vtkOutputWindow, vtkPoints, vtkStringArray
+from vtkmodules.vtkCommonCore import VTK_DOUBLE, vtkIdList, vtkPoints, vtkStringArray
 from vtkmodules.vtkCommonDataModel import (
     vtkCellArray, vtkPartitionedDataSetCollection, vtkPolyData)
 
@@ -61,28 +61,6 @@ def source(data):
 
 def square(x, y, size, z=0.0):
     return [(x, y, z), (x + size, y, z), (x + size, y + size, z), (x, y + size, z)]
-
-
-def errors_of(function):
-    """What VTK says while function runs, kept from the test's own output."""
-    import tempfile
-    from vtkmodules.vtkCommonCore import vtkFileOutputWindow, vtkLogger
-    path = ct.output("TestContourHierarchyErrors.txt")
-    open(path, "w").close()
-    window = vtkFileOutputWindow()
-    window.SetFileName(path)
-    window.SetFlush(True)
-    before = vtkOutputWindow.GetInstance()
-    vtkOutputWindow.SetInstance(window)
-    verbosity = vtkLogger.GetCurrentVerbosityCutoff()
-    vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
-    try:
-        function()
-    finally:
-        vtkLogger.SetStderrVerbosity(verbosity)
-        vtkOutputWindow.SetInstance(before)
-    with open(path) as file:
-        return file.read()
 
 
 # Slices of a sphere: loose segments in an order of ParaView's own.
@@ -171,7 +149,7 @@ ct.check(out.GetNumberOfCells() == 1 and len(report(out)) == 2, "one good contou
 empty = ct.data(simple.ContourHierarchy(Input=source(vtkPolyData())))
 ct.check(empty.GetNumberOfPoints() == 0, "nothing in, nothing out")
 hopeless = simple.ContourHierarchy(Input=source(loops(square(0, 0, 1)[:3], closed=False)))
-said = errors_of(hopeless.UpdatePipeline)
+said = ct.errors_of(hopeless.UpdatePipeline)
 ct.check("No usable contour is left" in said and "is open" in said, "an open contour is an error: " + said)
 ct.check(ct.data(hopeless).GetNumberOfCells() == 0, "and gives no output")
 
@@ -182,7 +160,7 @@ blocks = [loops(square(0, 0, 1)), vtkPolyData(), loops([(1, 1, 1), (2, 2, 2)], c
 for i, block in enumerate(blocks):
     collection.SetPartition(i, 0, block)
 per_roi = simple.ContourHierarchy(Input=source(collection))
-said = errors_of(per_roi.UpdatePipeline)
+said = ct.errors_of(per_roi.UpdatePipeline)
 ct.check("No usable contour" in said, "the hopeless block is named: " + said)
 out = ct.data(per_roi)
 ct.check(out.IsA("vtkPartitionedDataSetCollection"), "a collection stays a collection")

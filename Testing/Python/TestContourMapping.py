@@ -6,7 +6,6 @@ The data is the project's branching pipe: contour 0, then 1 and 2 above it, and 
 import contourtesting as ct
 
 simple = ct.load_plugin()
-from vtkmodules.vtkCommonCore import vtkFileOutputWindow, vtkLogger, vtkOutputWindow
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 COLUMNS = ["Slab", "LowerContour", "UpperContour", "LowerContours", "UpperContours", "OverlapArea",
@@ -39,26 +38,6 @@ def column(data, name):
 def report(data):
     array = data.GetFieldData().GetAbstractArray("Report")
     return [array.GetValue(i) for i in range(array.GetNumberOfValues())] if array else []
-
-
-def errors_of(function):
-    """What VTK says while function runs, kept from the test's own output."""
-    path = ct.output("TestContourMappingErrors.txt")
-    open(path, "w").close()
-    window = vtkFileOutputWindow()
-    window.SetFileName(path)
-    window.SetFlush(True)
-    before = vtkOutputWindow.GetInstance()
-    vtkOutputWindow.SetInstance(window)
-    verbosity = vtkLogger.GetCurrentVerbosityCutoff()
-    vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
-    try:
-        function()
-    finally:
-        vtkLogger.SetStderrVerbosity(verbosity)
-        vtkOutputWindow.SetInstance(before)
-    with open(path) as file:
-        return file.read()
 
 
 def check_overrides_hold(mapping, what):
@@ -167,7 +146,7 @@ for content, words in (("Lower,Upper\n1,4\n", "has no column LowerContour"),
     with open(path, "w") as file:
         file.write(content)
     bad = simple.ContourMapping(Input=reader, Overrides=simple.CSVReader(FileName=[path]))
-    said = errors_of(lambda: bad.UpdatePipeline())
+    said = ct.errors_of(lambda: bad.UpdatePipeline())
     ct.check(words in said, f"'{words}' is said of a wrong table, not: {said}")
     ct.check(bad.GetClientSideObject().GetOutputDataObject(0).GetNumberOfCells() == 0,
              "and nothing comes out")

@@ -5,7 +5,6 @@ import os
 import contourtesting as ct
 
 simple = ct.load_plugin()
-from vtkmodules.vtkCommonCore import vtkFileOutputWindow, vtkLogger, vtkOutputWindow
 
 
 def read(name):
@@ -41,25 +40,6 @@ def check_surface(name, surface, euler):
     ct.check(number(ct.data(surface), "LeastAngle") >= 1, f"{name}: an angle of {field(ct.data(surface), 'LeastAngle')}")
     normals = ct.data(surface).GetPointData().GetNormals()
     ct.check(normals is not None and normals.GetNumberOfComponents() == 3, f"{name} has no normals")
-
-
-def errors_of(function):
-    """What VTK says while function runs, kept from the test's own output."""
-    window = vtkFileOutputWindow()
-    path = ct.output("TestImplicitFiltersErrors.txt")
-    open(path, "w").close()
-    window.SetFileName(path)
-    window.SetFlush(True)
-    before = vtkOutputWindow.GetInstance()
-    vtkOutputWindow.SetInstance(window)
-    verbosity = vtkLogger.GetCurrentVerbosityCutoff()
-    vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
-    try:
-        function()
-    finally:
-        vtkOutputWindow.SetInstance(before)
-        vtkLogger.SetStderrVerbosity(verbosity)
-    return open(path).read()
 
 
 # The thesis's counts (10.1, 10.2), and the whole chain on its examples.
@@ -152,13 +132,13 @@ for properties, sentence in ((dict(CellSize=-1), "CellSize"), (dict(CellSize=1e-
                              (dict(MarginDistance=0, UseBounds=1, Bounds=[1, 0, 0, 1, 0, 1]), "bounds")):
     for key, value in properties.items():
         setattr(bad, key, value)
-    said = errors_of(bad.UpdatePipeline)
+    said = ct.errors_of(bad.UpdatePipeline)
     ct.check(sentence in said, f"{properties}: VTK said {said!r}")
     ct.check(bad.GetClientSideObject().GetOutputDataObject(0).GetNumberOfPoints() == 0, f"{properties}: some output")
 for kind, given in ((simple.ImplicitFunction, contours), (simple.ImplicitPolygonizer, constraints),
                     (simple.ImplicitContours, constraints)):
     node = kind(Input=given)
-    ct.check("give the output of" in errors_of(node.UpdatePipeline), f"{kind.__name__} took a wrong input")
+    ct.check("give the output of" in ct.errors_of(node.UpdatePipeline), f"{kind.__name__} took a wrong input")
 one = simple.ImplicitSurface(Input=simple.Disk(InnerRadius=0, CircumferentialResolution=12))
-ct.check("ERR" in errors_of(one.UpdatePipeline), "one plane was taken")
+ct.check("ERR" in ct.errors_of(one.UpdatePipeline), "one plane was taken")
 ct.finish()

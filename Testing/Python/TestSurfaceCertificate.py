@@ -7,7 +7,7 @@ import contourtesting as ct
 from certificateshapes import SIDES, box_corners, box_triangles, boxes, square_contour, surface
 
 simple = ct.load_plugin()
-from vtkmodules.vtkCommonCore import VTK_FLOAT, vtkFileOutputWindow, vtkLogger, vtkOutputWindow
+from vtkmodules.vtkCommonCore import VTK_FLOAT
 from vtkmodules.vtkCommonDataModel import (
     vtkCompositeDataSet, vtkPartitionedDataSetCollection, vtkPolyData)
 from vtkmodules.vtkFiltersCore import vtkStripper
@@ -46,26 +46,6 @@ def cells(data, name):
 
 def cell(table, row, column):
     return table.GetValueByName(row, column).ToString()
-
-
-def errors_of(function):
-    """What VTK says while function runs, kept from the test's own output."""
-    window = vtkFileOutputWindow()
-    path = ct.output("TestSurfaceCertificateErrors.txt")
-    open(path, "w").close()
-    window.SetFileName(path)
-    window.SetFlush(True)
-    before = vtkOutputWindow.GetInstance()
-    vtkOutputWindow.SetInstance(window)
-    verbosity = vtkLogger.GetCurrentVerbosityCutoff()
-    vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
-    try:
-        function()
-    finally:
-        vtkOutputWindow.SetInstance(before)
-        vtkLogger.SetStderrVerbosity(verbosity)
-    with open(path) as file:
-        return file.read()
 
 
 CUBE = box_corners((0, 0, 0), (1, 1, 1))
@@ -179,7 +159,7 @@ hopeless = [
 ]
 for sentence, data, contours in hopeless:
     results = []
-    said = errors_of(lambda: results.append(certify(data, contours)))
+    said = ct.errors_of(lambda: results.append(certify(data, contours)))
     ct.check(sentence in said, f"'{sentence}' is said: {said}")
     ct.check(results and results[0][1].GetNumberOfRows() == 0, f"no table with '{sentence}'")
 out, table, _ = certify(vtkPolyData())

@@ -56,6 +56,27 @@ def data(proxy, port=0):
     return proxy.GetClientSideObject().GetOutputDataObject(port)
 
 
+def errors_of(function):
+    """What VTK says while the function runs, kept from the test's own output."""
+    from vtkmodules.vtkCommonCore import vtkFileOutputWindow, vtkLogger, vtkOutputWindow
+    path = output(os.path.splitext(os.path.basename(sys.argv[0]))[0] + "Errors.txt")
+    open(path, "w", encoding="utf-8").close()
+    window = vtkFileOutputWindow()
+    window.SetFileName(path)
+    window.SetFlush(True)
+    before = vtkOutputWindow.GetInstance()
+    vtkOutputWindow.SetInstance(window)
+    verbosity = vtkLogger.GetCurrentVerbosityCutoff()
+    vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
+    try:
+        function()
+    finally:
+        vtkLogger.SetStderrVerbosity(verbosity)
+        vtkOutputWindow.SetInstance(before)
+    with open(path, encoding="utf-8") as file:
+        return file.read()
+
+
 def check(condition, sentence):
     """Note a failure and go on; finish() turns notes into the exit code."""
     global _checks
