@@ -32,9 +32,17 @@ constexpr std::size_t ExactSums = 16000;
  * A product's error times the step's length stays in the residual. This is the part of the aim that
  * accuracy times the sum of the step's |w_j| may take: kernels are up to 8, projecting multiplies
  * by some more, and there are tens of steps. Early steps are long and need all digits, late ones
- * few. Measured: 0.1 is too much, 0.01 gains nothing.
+ * few. Measured at 30 000: 0.1 is too much, 0.01 gains nothing; at 300 000, 0.004 is too much and
+ * costs a second descent, 0.001 is not: errors add up over the centres.
  */
 constexpr double FirstErrorShare = 0.02;
+constexpr double FewCentres = 30000;
+
+double ErrorShareOf(std::size_t centres)
+{
+  const double few = std::min(1.0, FewCentres / static_cast<double>(centres));
+  return FirstErrorShare * few * std::sqrt(few);
+}
 /// Where a descent did not help, products are so much more accurate in the next, for so many times.
 constexpr double Tighten = 0.1;
 constexpr int MaximumFailures = 2;
@@ -167,7 +175,8 @@ class ConjugateGradients
 public:
   ConjugateGradients(const RbfProblem& problem, const MaxMinOrder& order,
     const InverseCholesky& inverse, const Vector& h, double tolerance, Monitor& monitor)
-    : Lambda(problem.Lambda),
+    : ErrorShare(ErrorShareOf(h.size())),
+      Lambda(problem.Lambda),
       Inverse(inverse),
       Multiply(order.Points(), problem.Threads),
       Right(h.size()),
@@ -291,7 +300,7 @@ private:
     }
   }
 
-  double ErrorShare = FirstErrorShare;
+  double ErrorShare;
   double Lambda;
   const InverseCholesky& Inverse;
   KernelProduct Multiply;
