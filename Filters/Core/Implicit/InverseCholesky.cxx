@@ -67,28 +67,28 @@ RECON_WIDE void SubtractOne(double* a, const double* column, double factor, int 
   }
 }
 
-/// Column k of the factor, from a column that all before it have been subtracted from; 0 where the
-/// point repeats others.
-/// @return whether its pivot was sure.
+/// Column k of the factor, from a column that all before it have been subtracted from.
+/// @return false where its pivot is not sure.
 bool FinishColumn(double* column, int k, int size)
 {
-  const bool sure = column[k] > LeastSurePivot;
-  const bool repeats = !(column[k] > LeastPivot);
-  column[k] = repeats ? 0 : std::sqrt(column[k]);
-  const double factor = repeats ? 0 : 1 / column[k];
+  if (!(column[k] > LeastSurePivot))
+  {
+    return false;
+  }
+  column[k] = std::sqrt(column[k]);
+  const double factor = 1 / column[k];
   for (int i = k + 1; i < size; ++i)
   {
     column[i] *= factor;
   }
-  return sure;
+  return true;
 }
 
 /// Cholesky's factor in place of the lower triangle, column after column; four at a time are
-/// subtracted from the rest. @return whether every pivot was sure.
+/// subtracted from the rest. @return false at the first pivot that is not sure.
 bool Cholesky(double* a, int size)
 {
   constexpr int Width = 4;
-  bool sure = true;
   for (int from = 0; from < size; from += Width)
   {
     const int to = std::min(size, from + Width);
@@ -100,7 +100,10 @@ bool Cholesky(double* a, int size)
         const double* done = a + static_cast<std::size_t>(q) * size;
         SubtractOne(column + k, done + k, done[k], size - k);
       }
-      sure = FinishColumn(column, k, size) && sure;
+      if (!FinishColumn(column, k, size))
+      {
+        return false;
+      }
     }
     if (to - from < Width)
     {
@@ -118,7 +121,7 @@ bool Cholesky(double* a, int size)
         a + j + static_cast<std::size_t>(j) * size, block + j, size, factors.data(), size - j);
     }
   }
-  return sure;
+  return true;
 }
 
 /// x := L^-T x for eight right-hand sides beside one another, rows [0, last].
@@ -140,8 +143,7 @@ RECON_WIDE void SolveTransposed(const double* factor, int size, int last, double
         sum[l] -= f * x[k * Lanes + l];
       }
     }
-    // A column of zeros belongs to a point that takes no part.
-    const double inverse = column[i] > 0 ? 1 / column[i] : 0;
+    const double inverse = 1 / column[i];
     for (int l = 0; l < Lanes; ++l)
     {
       x[i * Lanes + l] = sum[l] * inverse;
@@ -506,6 +508,7 @@ void InverseCholesky::FactoriseWide(int at, Workspace& work)
       {
         k -= row[q] * before[q];
       }
+      // A diagonal of 0 is a point that repeats others and takes no part.
       row[j] = i == j ? (k > LeastPivot ? std::sqrt(k) : 0) : (before[j] > 0 ? k / before[j] : 0);
     }
   }
