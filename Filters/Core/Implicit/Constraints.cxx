@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Constraints.h"
 
+#include "NearConstraints.h"
 #include "PlanarEdges.h"
 #include "PointGrid.h"
 #include "SubMonitor.h"
@@ -541,6 +542,7 @@ void AppendMargins(const std::vector<VertexMargins>& margins, bool unit, Constra
     }
     missing += (m.InnerDistance > 0 ? 0 : 1) + (m.OuterDistance > 0 ? 0 : 1);
   }
+  set.LeftOut += missing;
   if (missing > 0)
   {
     set.Report.push_back(std::to_string(missing) +
@@ -661,6 +663,7 @@ ConstraintSet BuildInPlaneConstraints(
   {
     AppendCorners(contours, margins, set);
   }
+  ResolveNearConstraints(set);
   monitor.Update(1, "placing the margins");
   return set;
 }

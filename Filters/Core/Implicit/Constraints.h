@@ -75,6 +75,7 @@ struct ConstraintSet
   std::vector<int> Kind;     ///< KindType
   std::vector<int> Contour;  ///< index into ContourSet::Contours; -1 for a corner or a merged point
   double MarginDistance = 0; ///< the d that was used, before it was shrunk locally
+  std::size_t LeftOut = 0;   ///< constraints that 3n, or n + 8, would have beside these
   std::vector<std::string> Report; ///< a sentence for everything shrunk away, merged or resampled
 };
 
@@ -82,7 +83,8 @@ struct ConstraintSet
  * Exactly 3n constraints for n contour vertices (n + 8 with the corners), boundary, inner and outer
  * in turn, but for those that Report names. A margin point is nearer to the edges at its own vertex
  * than to any other edge of its level, on its proper side of all of them (decided exactly); where
- * the shape is thin it is moved nearer to its vertex until it is. One that reaches across a step is
+ * the shape is thin it is moved nearer to its vertex until it is, and left out where that leaves it
+ * nearer than a fit can tell apart (NearConstraints.h). One that reaches across a step is
  * on its proper side of all edges, and at least 0.8 of its reach from all of them.
  *
  * Inner is towards the solid: for the wall of a hole it is the hole's outer side (12.2).

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Algorithm 13: counts, sides, values, merging, resampling.
 #include "HandMadeContours.h"
-#include "Implicit/Constraints.h"
 #include "Implicit/ContourResampling.h"
 #include "Implicit/ContourTips.h"
+#include "Implicit/NearConstraints.h"
 
 #include <gtest/gtest.h>
 
@@ -126,8 +126,66 @@ TEST(Constraints, ThinShapesShrinkTheirMargins)
   }
   const ContourSet contours = maker.Finish();
   const ConstraintSet set = Build(contours);
-  EXPECT_EQ(set.Points.size(), 3u * contours.Points.size());
+  // But for the outer one in each slit's end, which has no room that a fit could see.
+  EXPECT_EQ(set.LeftOut, 2u);
+  EXPECT_EQ(set.Points.size(), 3u * contours.Points.size() - 2);
   ExpectProperMargins(contours, set);
+}
+
+TEST(Constraints, WhatAFitCannotTellApartBecomesOneOrIsLeftOut)
+{
+  // Upper and lower half of a disc, whose diameters nearly meet: by a hair and by a visible gap.
+  for (const double gap : { 1e-6, 0.05 })
+  {
+    handmade::Maker maker;
+    for (const double z : { 0.0, 5.0 })
+    {
+      const int level = maker.AddLevel({ 0, 0, 1 }, z);
+      for (const int side : { 1, -1 })
+      {
+        std::vector<Point3> half;
+        for (int k = 0; k <= 20; ++k)
+        {
+          const double t = 3.14159265358979323846 * k / 20;
+          half.push_back({ side * 10 * std::cos(t), side * (10 * std::sin(t) + gap), z });
+        }
+        for (int k = 1; k < 12; ++k)
+        {
+          half.push_back({ side * (20.0 * k / 12 - 10), side * gap, z });
+        }
+        maker.AddContour(level, half);
+      }
+    }
+    const ContourSet contours = maker.Finish();
+    const std::size_t n = contours.Points.size();
+    const ConstraintSet set = Build(contours);
+    const double apart = LeastDistanceApart(set);
+    EXPECT_GT(apart, 1e-6);
+    EXPECT_LT(apart, 0.01 * set.MarginDistance);
+    if (gap > 2 * apart)
+    {
+      EXPECT_EQ(set.Points.size(), 3 * n);
+      EXPECT_TRUE(set.Report.empty());
+      continue;
+    }
+    // The lower diameter's points stand where the upper one's do; between them is no room.
+    EXPECT_EQ(set.Points.size() + set.LeftOut, 3 * n);
+    EXPECT_EQ(set.LeftOut, 2u * 2 * 13);
+    ASSERT_EQ(set.Report.size(), 2u);
+    EXPECT_EQ(set.Report[0].rfind("26 contour points took the place of another one", 0), 0u);
+    EXPECT_EQ(set.Report[1].rfind("52 margin points were left out", 0), 0u);
+    std::vector<Point3> places = set.Points;
+    std::sort(places.begin(), places.end());
+    places.erase(std::unique(places.begin(), places.end()), places.end());
+    EXPECT_EQ(places.size(), set.Points.size() - 26);
+    for (std::size_t i = 0; i < places.size(); ++i)
+    {
+      for (std::size_t j = i + 1; j < places.size(); ++j)
+      {
+        EXPECT_GT(Norm(places[j] - places[i]), apart);
+      }
+    }
+  }
 }
 
 TEST(Constraints, ContoursThatTouchKeepTheirSides)

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Algorithm 13 on every set of the shared data and of Data/: exactly 3n constraints, each inner one
-// inside and each outer one outside, both of the level and of its own contour. Prints a line a set.
+// Algorithm 13 on every set of the shared data and of Data/: exactly 3n constraints but for those
+// that are said to be left out, none too near another for a fit, each inner one inside and each
+// outer one outside, both of the level and of its own contour. Prints a line a set.
 //
 // Sides are decided by winding numbers with CGAL's exact orientation and by CGAL's own polygon
 // test, where the code under test counts crossings of a ray.
 #include "Contours/ContourSetBuilder.h"
 #include "Core/SetsOfData.h"
-#include "Implicit/Constraints.h"
+#include "Implicit/NearConstraints.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_2_algorithms.h>
@@ -56,7 +57,8 @@ int WindingNumber(const Polygon& polygon, const Exact::Point_2& p)
 /// Faults of one set, counted, as a set has a hundred thousand constraints.
 struct Faults
 {
-  std::size_t OffContour = 0; ///< boundary constraints that are no contour vertex
+  std::size_t OffContour = 0; ///< boundary constraints farther than a near point's from the vertex
+  std::size_t Moved = 0;      ///< boundary constraints elsewhere than their vertex
   std::size_t WrongSide = 0;  ///< of the solid of the level
   std::size_t WrongOfOwn = 0; ///< of the contour that the margin belongs to
   std::size_t WrongValue = 0; ///< sign
@@ -77,6 +79,7 @@ public:
   Faults Check(const ConstraintSet& constraints) const
   {
     Faults faults;
+    const double apart = LeastDistanceApart(constraints);
     Point3 vertex{};
     std::size_t contour = 0;
     std::size_t position = 0;
@@ -88,9 +91,10 @@ public:
       if (kind == ConstraintSet::Boundary)
       {
         this->Advance(contour, position);
-        vertex = constraints.Points[i];
         const int expected = this->Contours.Contours[contour].Points[position++];
-        faults.OffContour += vertex == this->Contours.Points[static_cast<std::size_t>(expected)] &&
+        vertex = this->Contours.Points[static_cast<std::size_t>(expected)];
+        faults.Moved += constraints.Points[i] == vertex ? 0 : 1;
+        faults.OffContour += Norm(constraints.Points[i] - vertex) <= apart &&
             constraints.Contour[i] == static_cast<int>(contour)
           ? 0
           : 1;
@@ -144,6 +148,25 @@ private:
   std::vector<Polygon> Walls;
 };
 
+/// Constraints that have another one nearer than a fit can tell apart, but not in the same place.
+std::size_t NearOnes(const ConstraintSet& constraints)
+{
+  const double apart = LeastDistanceApart(constraints);
+  std::vector<Point3> sorted = constraints.Points;
+  std::sort(sorted.begin(), sorted.end());
+  sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
+  std::size_t near = 0;
+  for (std::size_t i = 0; i < sorted.size(); ++i)
+  {
+    for (std::size_t j = i + 1; j < sorted.size() && sorted[j][0] - sorted[i][0] < apart; ++j)
+    {
+      // How rounding decides a tie does not matter here.
+      near += Norm(sorted[j] - sorted[i]) < (1 - 1e-9) * apart ? 1 : 0;
+    }
+  }
+  return near;
+}
+
 void CheckSet(const std::string& name, const ContourSet& contours, bool reachAcrossSteps)
 {
   Monitor monitor;
@@ -162,7 +185,9 @@ void CheckSet(const std::string& name, const ContourSet& contours, bool reachAcr
   {
     std::printf("    * %s\n", line.c_str());
   }
-  EXPECT_EQ(constraints.Points.size(), 3 * vertices);
+  EXPECT_EQ(constraints.Points.size() + constraints.LeftOut, 3 * vertices);
+  EXPECT_EQ(constraints.LeftOut == 0 && faults.Moved == 0, constraints.Report.empty());
+  EXPECT_EQ(NearOnes(constraints), 0u);
   EXPECT_EQ(faults.OffContour, 0u);
   EXPECT_EQ(faults.WrongSide, 0u);
   EXPECT_EQ(faults.WrongOfOwn, 0u);
