@@ -47,6 +47,10 @@ double ErrorShareOf(std::size_t centres)
 constexpr double Tighten = 0.1;
 constexpr int MaximumFailures = 2;
 constexpr double LoosestAccuracy = 1e-6;
+/// What the sums that a misfit is judged by may be off, as a part of the tolerance, and by how many
+/// exact ones that is told.
+constexpr double ErrorOfTruth = 0.1;
+constexpr int ErrorSamples = 256;
 
 /// Shares of the progress bar.
 constexpr double Ordered = 0.05;
@@ -101,12 +105,38 @@ public:
 
   Vector operator()(const Vector& w, double accuracy, Monitor& monitor)
   {
+    return this->Fast ? this->Summed(w, accuracy, monitor) : this->Exact(w, monitor);
+  }
+
+  /// Off by no more than is allowed, as far as a sample tells: by exact sums where the fast ones are
+  /// not so accurate.
+  Vector WithinError(const Vector& w, double allowed, Monitor& monitor)
+  {
     if (this->Fast)
     {
-      this->Fast->SetAccuracy(std::clamp(accuracy, FastKernelSum::FinestAccuracy, LoosestAccuracy));
-      this->Fast->SetWeights(w, monitor);
-      return this->Fast->ValuesAtCentres(monitor);
+      Vector y = this->Summed(w, FastKernelSum::FinestAccuracy, monitor);
+      if (this->Fast->SampledError(y, ErrorSamples) <= allowed)
+      {
+        return y;
+      }
+      ++this->TimesNotEnough;
     }
+    return this->Exact(w, monitor);
+  }
+
+  /// How often fast sums were not accurate enough to judge by.
+  int TimesNotEnough = 0;
+
+private:
+  Vector Summed(const Vector& w, double accuracy, Monitor& monitor)
+  {
+    this->Fast->SetAccuracy(std::clamp(accuracy, FastKernelSum::FinestAccuracy, LoosestAccuracy));
+    this->Fast->SetWeights(w, monitor);
+    return this->Fast->ValuesAtCentres(monitor);
+  }
+
+  Vector Exact(const Vector& w, Monitor& monitor) const
+  {
     constexpr std::size_t PointsPerPiece = 64;
     const std::size_t n = this->Centres.size();
     Vector sums(n);
@@ -121,7 +151,6 @@ public:
     return sums;
   }
 
-private:
   const std::vector<Point3>& Centres;
   int Threads;
   std::unique_ptr<FastKernelSum> Fast;
@@ -179,30 +208,27 @@ public:
       Lambda(problem.Lambda),
       Inverse(inverse),
       Multiply(order.Points(), problem.Threads),
-      Right(h.size()),
       Tolerance(tolerance),
       Watch(monitor, tolerance)
   {
-    for (std::size_t i = 0; i < h.size(); ++i)
+    for (const int i : order.Order())
     {
-      this->Right[i] = h[order.Order()[i]];
+      this->Residual.push_back(h[i]);
     }
+    this->Weights.assign(h.size(), 0);
+    this->R = this->Inverse.Project(this->Residual);
+    this->Misfit = LargestOf(this->R);
   }
 
   /// Descents, each from the true residual of the one before (iterative refinement).
   void Run()
   {
-    this->Weights.assign(this->Right.size(), 0);
-    this->Best = this->Weights;
-    this->BestResidual = this->Right;
-    this->Misfit = LargestOf(this->Inverse.Project(this->Right));
     double aim = AimBelow * this->Tolerance;
     int failures = 0;
     while (this->Misfit > this->Tolerance && this->Steps < MaximumSteps)
     {
       const double before = this->Misfit;
-      this->Weights = this->Best;
-      this->Descend(this->Inverse.Project(this->BestResidual), aim);
+      this->Descend(aim);
       this->Judge();
       aim *= AimBelow;
       if (this->Misfit > LeastGain * before)
@@ -217,27 +243,44 @@ public:
     }
   }
 
-  Vector Best;         ///< weights
-  Vector BestResidual; ///< h less all but the polynomial
+  Vector Weights;  ///< the best so far
+  Vector Residual; ///< h less all but the polynomial, with those
   double Misfit = 0;
   int Steps = 0;
 
 private:
-  /// The true residual; weights that are better than the best so far take their place.
+  /**
+   * Takes the change of the weights where it brings the true misfit down, and the true residual for
+   * the drifted one. That is brought up to date by the change's own product: the smaller the change
+   * is, the less its sums can be off.
+   */
   void Judge()
   {
-    Vector truth = this->Product(this->Weights, FastKernelSum::FinestAccuracy);
+    const int times = this->Multiply.TimesNotEnough;
+    Vector truth =
+      this->Multiply.WithinError(this->Change, ErrorOfTruth * this->Tolerance, this->Watch);
     for (std::size_t i = 0; i < truth.size(); ++i)
     {
-      truth[i] = this->Right[i] - truth[i];
+      truth[i] = this->Residual[i] - (truth[i] + this->Lambda * this->Change[i]);
     }
-    const double misfit = LargestOf(this->Inverse.Project(truth));
+    const Vector r = this->Inverse.Project(truth);
+    const double misfit = LargestOf(r);
     if (misfit < this->Misfit)
     {
       this->Misfit = misfit;
-      this->Best = this->Weights;
-      this->BestResidual = std::move(truth);
+      this->Residual = std::move(truth);
+      this->R = r;
+      for (std::size_t i = 0; i < r.size(); ++i)
+      {
+        this->Weights[i] += this->Change[i];
+      }
     }
+    else
+    {
+      this->R = this->Inverse.Project(this->Residual);
+    }
+    // Weights that cancel so much want more digits of the next products too.
+    this->ErrorShare *= this->Multiply.TimesNotEnough > times ? Tighten : 1;
   }
 
   Vector Product(const Vector& w, double accuracy)
@@ -250,44 +293,25 @@ private:
     return y;
   }
 
-  /// Steps until the residual r, projected, is below the aim or stalls. The preconditioner and the
-  /// products are not exact to the last digit: beta is Polak's and Ribiere's, which forgives that.
-  void Descend(Vector r, double aim)
+  /// Steps until the residual is below the aim or stalls.
+  void Descend(double aim)
   {
-    Vector direction(r.size(), 0);
-    Vector previous(r.size(), 0);
-    double previousProduct = 1;
-    double alpha = 1; // as the preconditioner is meant
-    double least = LargestOf(r);
+    this->Change.assign(this->R.size(), 0);
+    this->Direction.assign(this->R.size(), 0);
+    this->Previous.assign(this->R.size(), 0);
+    this->PreviousProduct = 1;
+    this->Alpha = 1; // as the preconditioner is meant
+    double misfit = LargestOf(this->R);
+    double least = misfit;
     int leastAt = this->Steps;
-    for (double misfit = least; misfit > aim && this->Steps < MaximumSteps;)
+    while (misfit > aim && this->Steps < MaximumSteps)
     {
       this->Watch.Tell(misfit, this->Steps);
-      const Vector z = this->Inverse.Apply(r, this->Watch);
-      const double product = recon::Product(r, z);
-      const double beta = (product - recon::Product(previous, z)) / previousProduct;
-      for (std::size_t i = 0; i < z.size(); ++i)
-      {
-        direction[i] = z[i] + beta * direction[i];
-      }
-      previous = r;
-      previousProduct = product;
-
-      const double accuracy = this->ErrorShare * aim / (alpha * SumOfSizes(direction));
-      const Vector y = this->Inverse.Project(this->Product(direction, accuracy));
-      alpha = recon::Product(direction, r) / recon::Product(direction, y);
-      // Not positive: what is left of the residual is rounding.
-      if (!(alpha > 0) || !std::isfinite(alpha))
+      if (!this->Step(aim))
       {
         return;
       }
-      for (std::size_t i = 0; i < y.size(); ++i)
-      {
-        this->Weights[i] += alpha * direction[i];
-        r[i] -= alpha * y[i];
-      }
-      ++this->Steps;
-      misfit = LargestOf(r);
+      misfit = LargestOf(this->R);
       if (misfit < LeastGain * least)
       {
         least = misfit;
@@ -300,14 +324,50 @@ private:
     }
   }
 
+  /// The preconditioner and the products are not exact to the last digit: beta is Polak's and
+  /// Ribiere's, which forgives that. @returns false where what is left of the residual is rounding.
+  bool Step(double aim)
+  {
+    const Vector z = this->Inverse.Apply(this->R, this->Watch);
+    const double product = recon::Product(this->R, z);
+    const double beta = (product - recon::Product(this->Previous, z)) / this->PreviousProduct;
+    for (std::size_t i = 0; i < z.size(); ++i)
+    {
+      this->Direction[i] = z[i] + beta * this->Direction[i];
+    }
+    this->Previous = this->R;
+    this->PreviousProduct = product;
+
+    const double accuracy = this->ErrorShare * aim / (this->Alpha * SumOfSizes(this->Direction));
+    const Vector y = this->Inverse.Project(this->Product(this->Direction, accuracy));
+    const double alpha =
+      recon::Product(this->Direction, this->R) / recon::Product(this->Direction, y);
+    if (!(alpha > 0) || !std::isfinite(alpha))
+    {
+      return false;
+    }
+    for (std::size_t i = 0; i < y.size(); ++i)
+    {
+      this->Change[i] += alpha * this->Direction[i];
+      this->R[i] -= alpha * y[i];
+    }
+    this->Alpha = alpha;
+    ++this->Steps;
+    return true;
+  }
+
   double ErrorShare;
   double Lambda;
   const InverseCholesky& Inverse;
   KernelProduct Multiply;
-  Vector Right;
-  Vector Weights;
   double Tolerance;
   DescentMonitor Watch;
+  Vector R;      ///< the residual, projected, that the steps carry along
+  Vector Change; ///< of the weights since it was the true one
+  Vector Direction;
+  Vector Previous; ///< residual
+  double PreviousProduct = 1;
+  double Alpha = 1; ///< of the last step
 };
 }
 
@@ -328,9 +388,9 @@ IterativeResult SolveIteratively(
   result.Solution.Weights.resize(h.size());
   for (std::size_t i = 0; i < h.size(); ++i)
   {
-    result.Solution.Weights[order.Order()[i]] = solver.Best[i];
+    result.Solution.Weights[order.Order()[i]] = solver.Weights[i];
   }
-  const Vector& r = solver.BestResidual;
+  const Vector& r = solver.Residual;
   result.Solution.Polynomial = inverse.PolynomialThrough({ r[0], r[1], r[2], r[3] });
   return result;
 }

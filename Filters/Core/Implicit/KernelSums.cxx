@@ -49,6 +49,7 @@ RECON_WIDE void SumTriharmonic(
   const Point3* centres, const double* weights, std::size_t n, const Block& at, Sums& out)
 {
   Sums sum{};
+  Sums lost{};
   for (std::size_t j = 0; j < n; ++j)
   {
     const double cx = centres[j][0];
@@ -61,7 +62,10 @@ RECON_WIDE void SumTriharmonic(
       const double y = at.Y[l] - cy;
       const double z = at.Z[l] - cz;
       const double r2 = x * x + y * y + z * z;
-      sum[l] += w * (r2 * std::sqrt(r2));
+      const double term = w * (r2 * std::sqrt(r2)) - lost[l];
+      const double next = sum[l] + term;
+      lost[l] = (next - sum[l]) - term;
+      sum[l] = next;
     }
   }
   out = sum;

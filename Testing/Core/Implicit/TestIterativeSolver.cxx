@@ -318,6 +318,17 @@ TEST(IterativeSolver, FastSumsReachTheToleranceThatExactSumsSee)
   EXPECT_EQ(one.Weights, two.Weights);
 }
 
+TEST(IterativeSolver, WeightsThatCancelBeyondTheFastSumsAreJudgedByExactOnes)
+{
+  // Margins of a thousandth of the radius, a thirtieth of the spacing: what fast sums leave out of
+  // weights that cancel so well is more than the tolerance.
+  const Sample sample = shapes::WavyBall(70, 80, 0.001);
+  const ImplicitFunction function = Iterate(sample);
+  EXPECT_FALSE(Says(function, "stopped after"));
+  EXPECT_LE(function.Residual, 1.05e-5);
+  EXPECT_LE(LargestMisfit(function, sample), 1.05e-5);
+}
+
 TEST(IterativeSolver, AMisfitThatCannotBeReachedEndsWithASentence)
 {
   const Sample sample = shapes::WavyBall(20, 30, 0.01);
