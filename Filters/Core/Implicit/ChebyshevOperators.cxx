@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ChebyshevOperators.h"
 
+#include "../Parallel.h"
 #include "ExpansionLoops.h"
 
 #include <Eigen/Dense>
@@ -168,38 +169,81 @@ Matrix RowsUpTo(const Matrix& table, int side, const std::array<int, 2>& most)
   return rows;
 }
 
-/// The kernel between two boxes as a full matrix, targets by sources.
+/// Degrees i of a target and j <= i of a source on the first axis.
+struct DegreePair
+{
+  int Target;
+  int Source;
+};
+
+std::vector<DegreePair> LowerPairs(int order)
+{
+  std::vector<DegreePair> pairs;
+  for (int i = 0; i <= order; ++i)
+  {
+    for (int j = 0; j <= i; ++j)
+    {
+      pairs.push_back({ i, j });
+    }
+  }
+  return pairs;
+}
+
+/// The rows of all pairs.
+Matrix RowsOf(const Matrix& table, int side, const std::vector<DegreePair>& pairs)
+{
+  Matrix rows(static_cast<Eigen::Index>(pairs.size()), table.cols());
+  for (std::size_t p = 0; p < pairs.size(); ++p)
+  {
+    rows.row(static_cast<Eigen::Index>(p)) = table.row(pairs[p].Target * side + pairs[p].Source);
+  }
+  return rows;
+}
+
+/**
+ * The kernel between two boxes as a full matrix, targets by sources. It depends on x - y alone, so
+ * that target and source change places when both are reflected: T_i(-x) = (-1)^i T_i(x). Half of
+ * the pairs of degrees on the first axis tell the others.
+ */
 Matrix FarFieldMatrix(int order, const Degrees& offset, const Matrix& table)
 {
   const int side = order + 1;
   const int count = static_cast<int>(table.cols());
   const Positions positions(order);
   Matrix full = Matrix::Zero(CoefficientCount(order), CoefficientCount(order));
-  const Matrix first = Product(table, KernelSeries(offset, count));
-  for (int i0 = 0; i0 < side; ++i0)
+  const std::vector<DegreePair> pairs = LowerPairs(order);
+  const Matrix first = Product(RowsOf(table, side, pairs), KernelSeries(offset, count));
+  for (std::size_t p = 0; p < pairs.size(); ++p)
   {
-    for (int j0 = 0; j0 < side; ++j0)
+    const int i0 = pairs[p].Target;
+    const int j0 = pairs[p].Source;
+    const Eigen::Map<const Matrix> slice(
+      first.row(static_cast<Eigen::Index>(p)).data(), count, count);
+    const int di = order - i0;
+    const int dj = order - j0;
+    const Matrix rows = RowsUpTo(table, side, { di, dj });
+    const Matrix left = Product(rows, slice);
+    const Matrix right = rows.transpose();
+    Matrix block(dj + 1, (di + 1) * (dj + 1));
+    for (int i1 = 0; i1 <= di; ++i1)
     {
-      const Eigen::Map<const Matrix> slice(first.row(i0 * side + j0).data(), count, count);
-      const int di = order - i0;
-      const int dj = order - j0;
-      const Matrix rows = RowsUpTo(table, side, { di, dj });
-      const Matrix left = Product(rows, slice);
-      const Matrix right = rows.transpose();
-      Matrix block(dj + 1, (di + 1) * (dj + 1));
-      for (int i1 = 0; i1 <= di; ++i1)
+      Multiply({ dj + 1, (di - i1 + 1) * (dj + 1), count, left.row(i1 * (dj + 1)).data(), count,
+        right.data(), static_cast<int>(right.cols()), block.data(),
+        static_cast<int>(block.cols()) });
+      for (int j1 = 0; j1 <= dj; ++j1)
       {
-        Multiply({ dj + 1, (di - i1 + 1) * (dj + 1), count, left.row(i1 * (dj + 1)).data(), count,
-          right.data(), static_cast<int>(right.cols()), block.data(),
-          static_cast<int>(block.cols()) });
-        for (int j1 = 0; j1 <= dj; ++j1)
+        for (int i2 = 0; i1 + i2 <= di; ++i2)
         {
-          for (int i2 = 0; i1 + i2 <= di; ++i2)
+          const int target = positions.Of({ i0, i1, i2 });
+          for (int j2 = 0; j1 + j2 <= dj; ++j2)
           {
-            double* target = full.row(positions.Of({ i0, i1, i2 })).data();
-            for (int j2 = 0; j1 + j2 <= dj; ++j2)
+            const int source = positions.Of({ j0, j1, j2 });
+            const double k = block(j1, i2 * (dj + 1) + j2);
+            full(target, source) = k;
+            if (i0 != j0)
             {
-              target[positions.Of({ j0, j1, j2 })] = block(j1, i2 * (dj + 1) + j2);
+              const int odd = (i0 + i1 + i2 + j0 + j1 + j2) % 2;
+              full(source, target) = odd == 0 ? k : -k;
             }
           }
         }
@@ -364,15 +408,18 @@ ChebyshevOperators::ChebyshevOperators(int order) : P(order)
   }
 }
 
-void ChebyshevOperators::Compute()
+void ChebyshevOperators::Compute(int threads)
 {
   // |2 o + u|^3 is less smooth in u than in x and y; what a few more terms add is below 1e-13.
   const Matrix table = DifferenceTable(this->P, 2 * this->P + 10);
-  for (int c = 0; c < Classes; ++c)
-  {
-    this->Far[c] =
-      Compress(FarFieldMatrix(this->P, CanonicalOffsets()[c], table), Negligible(this->P, c));
-  }
+  Monitor silent; // who waits for the operators is not here
+  ParallelFor(Classes, threads,
+    [&](int c)
+    {
+      this->Far[c] =
+        Compress(FarFieldMatrix(this->P, CanonicalOffsets()[c], table), Negligible(this->P, c));
+    },
+    silent, {});
 }
 
 void ChebyshevOperators::TakeFrom(const ChebyshevOperators& higher)
@@ -389,7 +436,7 @@ void ChebyshevOperators::TakeFrom(const ChebyshevOperators& higher)
   }
 }
 
-const ChebyshevOperators& ChebyshevOperators::OfOrder(int order)
+const ChebyshevOperators& ChebyshevOperators::OfOrder(int order, int threads)
 {
   static std::mutex mutex;
   static std::array<std::unique_ptr<ChebyshevOperators>, LargestOrder + 1> all;
@@ -401,7 +448,7 @@ const ChebyshevOperators& ChebyshevOperators::OfOrder(int order)
     if (!all[wanted])
     {
       all[wanted].reset(new ChebyshevOperators(wanted));
-      wanted == computed ? all[wanted]->Compute() : all[wanted]->TakeFrom(*all[computed]);
+      wanted == computed ? all[wanted]->Compute(threads) : all[wanted]->TakeFrom(*all[computed]);
     }
   }
   return *all[order];

@@ -74,7 +74,8 @@ public:
   static constexpr int Turns = 48;
 
   /// @param order LeastOrder..LargestOrder
-  static const ChebyshevOperators& OfOrder(int order);
+  /// @param threads that may compute them on first use
+  static const ChebyshevOperators& OfOrder(int order, int threads = 1);
 
   int Order() const { return this->P; }
   /// l += (moments) for a canonical offset and boxes of half-width 1; times h^3 otherwise.
@@ -92,7 +93,7 @@ public:
 
 private:
   explicit ChebyshevOperators(int order);
-  void Compute();
+  void Compute(int threads);
   /// The series' coefficients do not depend on where it is cut off.
   void TakeFrom(const ChebyshevOperators& higher);
 

@@ -229,6 +229,11 @@ public:
       this->Sources.W[i] = weights[numbers[i]];
     }
     this->UseOrders();
+    // Ahead of the pieces of work that would wait for one of them to compute what is missing.
+    for (int level = FirstFarLevel; level < this->Tree.Levels(); ++level)
+    {
+      ChebyshevOperators::OfOrder(this->Orders[level], this->Threads);
+    }
     this->Prepared = false;
     this->FillLeaves(monitor);
     for (int level = this->Tree.Levels() - 2; level >= FirstFarLevel; --level)

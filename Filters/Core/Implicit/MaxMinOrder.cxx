@@ -2,9 +2,9 @@
 #include "MaxMinOrder.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <numeric>
-#include <queue>
 #include <utility>
 
 namespace recon
@@ -236,57 +236,49 @@ void MaxMinOrder::FindLeastRanks()
   }
 }
 
-std::vector<int> MaxMinOrder::Nearest(const Point3& x, int below, int count) const
+void MaxMinOrder::Search(int at, Query& query) const
 {
-  using Found = std::pair<double, int>;
-  std::priority_queue<Found> best; // the farthest on top
-  std::priority_queue<Found, std::vector<Found>, std::greater<>> waiting;
-  waiting.push({ 0, 0 });
-  const auto full = [&] { return static_cast<int>(best.size()) == count; };
-  while (!waiting.empty())
+  const Node& node = this->Nodes[at];
+  if (node.Left < 0)
   {
-    const auto [d2, at] = waiting.top();
-    waiting.pop();
-    if (full() && d2 > best.top().first)
-    {
-      break;
-    }
-    const Node& node = this->Nodes[at];
-    if (node.Left >= 0)
-    {
-      for (const int child : { node.Left, node.Left + 1 })
-      {
-        const Node& c = this->Nodes[child];
-        if (c.LeastRank < below)
-        {
-          waiting.push({ Distance2To(x, c.Low, c.High), child });
-        }
-      }
-      continue;
-    }
     for (int i = node.Begin; i < node.End; ++i)
     {
-      if (this->RankOf[i] >= below)
+      if (this->RankOf[i] < query.Below)
       {
-        continue;
-      }
-      const Found found{ Distance2Between(x, this->InTree[i]), this->RankOf[i] };
-      if (!full())
-      {
-        best.push(found);
-      }
-      else if (found < best.top())
-      {
-        best.pop();
-        best.push(found);
+        query.Offer({ Distance2Between(query.At, this->InTree[i]), this->RankOf[i] });
       }
     }
+    return;
   }
-  std::vector<int> ranks;
-  ranks.reserve(best.size());
-  for (; !best.empty(); best.pop())
+  std::array<std::pair<double, int>, 2> children;
+  for (int c = 0; c < 2; ++c)
   {
-    ranks.push_back(best.top().second);
+    const Node& child = this->Nodes[node.Left + c];
+    children[c] = { Distance2To(query.At, child.Low, child.High), node.Left + c };
+  }
+  if (children[1] < children[0])
+  {
+    std::swap(children[0], children[1]);
+  }
+  for (const auto& [d2, child] : children)
+  {
+    if (this->Nodes[child].LeastRank < query.Below && d2 <= query.Reach())
+    {
+      this->Search(child, query);
+    }
+  }
+}
+
+std::vector<int> MaxMinOrder::Nearest(const Point3& x, int below, int count) const
+{
+  Query query{ x, below, static_cast<std::size_t>(count), {} };
+  query.Best.reserve(query.Count);
+  this->Search(0, query);
+  std::vector<int> ranks;
+  ranks.reserve(query.Best.size());
+  for (const Found& found : query.Best)
+  {
+    ranks.push_back(found.second);
   }
   std::sort(ranks.begin(), ranks.end());
   return ranks;

@@ -14,7 +14,10 @@
 #include "../Geometry.h"
 #include "../Monitor.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <limits>
+#include <utility>
 #include <vector>
 
 namespace recon
@@ -59,6 +62,39 @@ private:
     int LeastRank;
   };
 
+  /// Squared distance and rank.
+  using Found = std::pair<double, int>;
+
+  /// The nearest found so far, a heap with the farthest in front.
+  struct Query
+  {
+    Point3 At;
+    int Below;
+    std::size_t Count;
+    std::vector<Found> Best;
+
+    double Reach() const
+    {
+      return this->Best.size() < this->Count ? std::numeric_limits<double>::infinity()
+                                             : this->Best.front().first;
+    }
+    void Offer(const Found& found)
+    {
+      if (this->Best.size() == this->Count)
+      {
+        if (!(found < this->Best.front()))
+        {
+          return;
+        }
+        std::pop_heap(this->Best.begin(), this->Best.end());
+        this->Best.pop_back();
+      }
+      this->Best.push_back(found);
+      std::push_heap(this->Best.begin(), this->Best.end());
+    }
+  };
+
+  void Search(int node, Query& query) const;
   void Build(const std::vector<Point3>& points);
   void Split(int node);
   void RankStart();
