@@ -17,6 +17,9 @@ constexpr double Pi = 3.14159265358979323846;
 /// Edges shorter than this part of EdgeLength are collapsed, none longer than the other is made.
 constexpr double ShortEdge = 0.6;
 constexpr double LongEdge = 1.7;
+/// But a triangle that is longer already may become longer by this factor, or its short edge would
+/// stay for good.
+constexpr double LongerAgain = 1.01;
 /// Cosine that a triangle's normal must keep with the surface's normals at its corners.
 constexpr double LeastAgreement = 0.35;
 /// The same where a sliver has to go at any (safe) price.
@@ -458,7 +461,8 @@ private:
       }
       std::replace(moved.begin(), moved.end(), u, v);
       if (!this->Agrees(moved, agreement) ||
-        this->LongestEdge(moved) > LongEdge * this->EdgeLength ||
+        this->LongestEdge(moved) > std::max(LongEdge * this->EdgeLength,
+                                     LongerAgain * this->LongestEdge(this->T[t])) ||
         (agreement <= OwnAgreement && !this->KeepsItself(this->T[t], moved)))
       {
         return -1;

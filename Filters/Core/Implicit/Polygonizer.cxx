@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Polygonizer.h"
 
+#include "../Mesh/TriangleTree.h"
 #include "EdgeRoots.h"
 #include "MeshCleanUp.h"
 #include "PointGrid.h"
@@ -20,6 +21,16 @@ namespace
 constexpr double CellsPerFace = 1.5;
 /// A clean-up that leaves a smaller angle (degrees) says so.
 constexpr double PromisedAngle = 1;
+/// Where CellSize is to be chosen and cells miss walls or gaps that seeds are on, cells become
+/// smaller by this factor, up to this many times: half as large in the end, for four times the
+/// triangles.
+constexpr double FinerCells = 0.7;
+constexpr int MostFinerSteps = 2;
+/// Walls and gaps thinner than this part of a cell are not worth smaller cells: those would not
+/// find them either.
+constexpr double WorthFinding = 0.4;
+/// Steps to a cell in which a wall or gap is measured.
+constexpr int ThicknessSteps = 16;
 
 std::string Text(double x)
 {
@@ -233,6 +244,130 @@ std::vector<Vector3> OutwardNormals(const BoundedField& field, const std::vector
   return normals;
 }
 
+/// The surface as the cells cut it.
+TriangleMesh Track(const BoundedField& field, const std::vector<Point3>& seeds, double cellSize,
+  const PolygonizerOptions& options, Monitor& monitor)
+{
+  SubMonitor tracking(monitor, 0, 0.5);
+  const Lattice lattice(field.Box(), cellSize, field.Closed());
+  const SurfaceTracker tracker(field, lattice, seeds, options.MaximumCells, tracking);
+  Marcher marcher(tracker);
+  SubMonitor rooting(monitor, 0.5, 1);
+  TriangleMesh mesh;
+  mesh.Points =
+    FindRoots(field, CrossedEdgesOf(marcher, tracker), options.Tolerance * cellSize, rooting);
+  mesh.Triangles = std::move(marcher.Triangles());
+  return mesh;
+}
+
+bool IsWithin(const Point3& p, const Bounds& box)
+{
+  for (int a = 0; a < 3; ++a)
+  {
+    if (!(p[a] >= box[2 * a] && p[a] <= box[2 * a + 1]))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Seeds within the bounds that the function's surface passes by, but no triangle within a cell.
+std::vector<Point3> SeedsMissed(const BoundedField& field, const TriangleMesh& mesh,
+  const std::vector<Point3>& seeds, double cellSize)
+{
+  const TriangleTree tree(mesh);
+  std::vector<Point3> far;
+  for (const Point3& seed : seeds)
+  {
+    if (IsWithin(seed, field.Box()) && tree.DistanceTo(seed, 2 * cellSize) > cellSize)
+    {
+      far.push_back(seed);
+    }
+  }
+  // Smaller cells come no nearer to those that the function itself misses.
+  std::vector<double> values;
+  std::vector<Vector3> gradients;
+  field.Evaluate(far, values, gradients);
+  std::vector<Point3> missed;
+  for (std::size_t i = 0; i < far.size(); ++i)
+  {
+    if (std::abs(values[i]) < 0.5 * cellSize * Norm(gradients[i]))
+    {
+      missed.push_back(far[i]);
+    }
+  }
+  return missed;
+}
+
+/// Is a seed on a wall, or at a gap, that cells of half the size can find? The way to the other
+/// side is measured along the normal.
+bool AnyWorthFinding(
+  const BoundedField& field, const std::vector<Point3>& seeds, double cellSize)
+{
+  const std::vector<Vector3> normals = OutwardNormals(field, seeds);
+  std::vector<Point3> probes;
+  for (std::size_t i = 0; i < seeds.size(); ++i)
+  {
+    for (int k = -ThicknessSteps; k <= ThicknessSteps; ++k)
+    {
+      probes.push_back(seeds[i] + (k * cellSize / ThicknessSteps) * normals[i]);
+    }
+  }
+  const std::vector<double> g = field.Values(probes);
+  const int steps = 2 * ThicknessSteps + 1;
+  for (std::size_t i = 0; i < seeds.size(); ++i)
+  {
+    int thinnest = ThicknessSteps + 1;
+    for (int k = 1; k <= ThicknessSteps; ++k)
+    {
+      const std::size_t middle = i * steps + ThicknessSteps;
+      const bool otherSide = g[middle + k] > 0 || g[middle - k] <= 0;
+      thinnest = otherSide ? std::min(thinnest, k) : thinnest;
+    }
+    if (thinnest <= ThicknessSteps && thinnest >= WorthFinding * ThicknessSteps)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/**
+ * Tracks the surface, where CellSize is to be chosen with smaller cells until every seed is within
+ * a cell of it: between two sheets of the surface that are nearer than a cell there may be no
+ * corner, and then neither is found.
+ */
+void TrackUntilFound(const BoundedField& field, const std::vector<Point3>& seeds,
+  const PolygonizerOptions& options, ImplicitMesh& result, Monitor& monitor)
+{
+  double from = 0;
+  for (int step = 0;; ++step)
+  {
+    const double to = step == MostFinerSteps || options.CellSize > 0 ? 0.6 : from + 0.3;
+    SubMonitor tracking(monitor, std::min(from, 0.6), std::min(to, 0.6));
+    from = to;
+    result.Mesh = Track(field, seeds, result.CellSize, options, tracking);
+    const std::vector<Point3> missed = SeedsMissed(field, result.Mesh, seeds, result.CellSize);
+    const double finerTriangles =
+      static_cast<double>(result.Mesh.Triangles.size()) / (FinerCells * FinerCells);
+    if (!missed.empty() && options.CellSize == 0 && step < MostFinerSteps &&
+      finerTriangles < options.MaximumCells && AnyWorthFinding(field, missed, result.CellSize))
+    {
+      result.CellSize *= FinerCells;
+      continue;
+    }
+    if (!missed.empty())
+    {
+      result.Report.push_back(std::to_string(missed.size()) +
+        " contour points are more than a cell of " + Text(result.CellSize) +
+        " away from the surface, as the shape, or a gap in it, is thinner than that there: choose a "
+        "smaller CellSize.");
+    }
+    return;
+  }
+}
+
 void CleanUpMesh(const BoundedField& field, const std::vector<Point3>& seeds,
   const PolygonizerOptions& options, ImplicitMesh& result, Monitor& monitor)
 {
@@ -383,21 +518,7 @@ ImplicitMesh Polygonize(const ImplicitFunction& function, const std::vector<Poin
   CheckCellCount(BoundsOf(seeds), box, result.CellSize, options.MaximumCells);
 
   const BoundedField field(function, box, options.ClosedAtBounds, options.Threads, monitor);
-  const Lattice lattice(box, result.CellSize, options.ClosedAtBounds);
-  SubMonitor tracking(monitor, 0, 0.3);
-  const SurfaceTracker tracker(field, lattice, seeds, options.MaximumCells, tracking);
-  if (tracker.MissedSeeds() > 0)
-  {
-    result.Report.push_back("Near " + std::to_string(tracker.MissedSeeds()) +
-      " contour points the shape is thinner than a cell of " + Text(result.CellSize) +
-      " and was not found: choose a smaller CellSize.");
-  }
-
-  Marcher marcher(tracker);
-  SubMonitor rooting(monitor, 0.3, 0.6);
-  result.Mesh.Points = FindRoots(
-    field, CrossedEdgesOf(marcher, tracker), options.Tolerance * result.CellSize, rooting);
-  result.Mesh.Triangles = std::move(marcher.Triangles());
+  TrackUntilFound(field, seeds, options, result, monitor);
   result.Normals = OutwardNormals(field, result.Mesh.Points);
   if (options.CleanUp)
   {

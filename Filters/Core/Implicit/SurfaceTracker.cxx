@@ -70,7 +70,6 @@ SurfaceTracker::CubeList SurfaceTracker::SeedCubes(const std::vector<Point3>& se
   this->EvaluateCorners(own);
   CubeList wave;
   CubeList around;
-  std::vector<std::pair<std::size_t, std::size_t>> pieces;
   for (const LatticeIndex& cube : own)
   {
     if (this->IsMixed(cube))
@@ -78,7 +77,6 @@ SurfaceTracker::CubeList SurfaceTracker::SeedCubes(const std::vector<Point3>& se
       this->PushNew(cube, wave);
       continue;
     }
-    const std::size_t from = around.size();
     for (int i = 0; i < 27; ++i)
     {
       const LatticeIndex near{ cube[0] + i % 3 - 1, cube[1] + i / 3 % 3 - 1, cube[2] + i / 9 - 1 };
@@ -87,21 +85,14 @@ SurfaceTracker::CubeList SurfaceTracker::SeedCubes(const std::vector<Point3>& se
         around.push_back(near);
       }
     }
-    pieces.push_back({ from, around.size() });
   }
   this->EvaluateCorners(around);
-  for (const auto& [from, to] : pieces)
+  for (const LatticeIndex& cube : around)
   {
-    bool found = false;
-    for (std::size_t i = from; i < to; ++i)
+    if (this->IsMixed(cube))
     {
-      if (this->IsMixed(around[i]))
-      {
-        found = true;
-        this->PushNew(around[i], wave);
-      }
+      this->PushNew(cube, wave);
     }
-    this->Missed += found ? 0 : 1;
   }
   return wave;
 }

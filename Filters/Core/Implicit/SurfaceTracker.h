@@ -41,8 +41,6 @@ public:
   double ValueAt(const LatticeIndex& corner) const { return this->Values.at(Lattice::Key(corner)); }
   /// Is the point in such a cube, or in a neighbour of one?
   bool Near(const Point3& p) const;
-  /// Seeds with no change of sign in or beside their cube: the shape is thinner than a cell there.
-  std::size_t MissedSeeds() const { return this->Missed; }
   const Lattice& Grid() const { return this->Cells; }
 
 private:
@@ -62,7 +60,6 @@ private:
   std::unordered_map<std::uint64_t, double, LatticeHash> Values;
   std::unordered_set<std::uint64_t, LatticeHash> Visited;
   std::unordered_set<std::uint64_t, LatticeHash> ActiveKeys;
-  std::size_t Missed = 0;
 };
 }
 
