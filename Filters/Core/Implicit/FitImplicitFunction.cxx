@@ -34,6 +34,8 @@ constexpr std::size_t DirectIsFaster = 3000;
 constexpr std::size_t DirectIsBearable = 12000;
 /// Part of the free memory that a fit may take.
 constexpr double MemoryShare = 0.8;
+/// A support radius of more than so many of the bounding box's diagonals is refused.
+constexpr double LargestSupport = 100;
 /// The misfit is looked at by exact sums at all constraints up to the first number, else at the
 /// second: more would be a tenth of the fit, and the fast sums that the solver ended by were held
 /// against exact ones themselves.
@@ -506,6 +508,12 @@ ImplicitFunction FitImplicitFunction(const std::vector<Point3>& points,
       std::to_string(points.size()) + ".");
   }
   const double diagonal = DiagonalOf(points);
+  if (options.SupportRadius > LargestSupport * diagonal)
+  {
+    throw Error("SupportRadius is more than " + Text(LargestSupport) +
+      " times as large as the constraints' bounding box, so that all constraints look the same: "
+      "choose about a quarter of the box's diagonal, or 0.");
+  }
   const auto [least, largest] = std::minmax_element(values.begin(), values.end());
   const double range = *largest - *least;
   if (!(range > 0))
