@@ -2,6 +2,7 @@
 #include "Constraints.h"
 
 #include "NearConstraints.h"
+#include "NumberText.h"
 #include "PlanarEdges.h"
 #include "PointGrid.h"
 #include "SubMonitor.h"
@@ -25,6 +26,12 @@ constexpr double ShrinkStep = 0.7;
 constexpr double ParallelSine = 1e-2;
 /// Merged margins that cancel to less than this part of d have no common side.
 constexpr double LeastMergedMargin = 0.2;
+
+/// A margin distance of less than this part of the bounding box's diagonal is refused: the system's
+/// condition grows as d^-3, beyond what doubles can hold.
+constexpr double LeastMarginDistance = 1e-6;
+/// More contour points than this are refused before they are made.
+constexpr double MostResampledPoints = 1e6;
 
 /// How far margins reach across a step, in parts of the distance to the level that makes it; the
 /// first that has room counts.
@@ -588,6 +595,18 @@ std::vector<double> EdgeLengths(const ContourSet& contours)
   return lengths;
 }
 
+void CheckResampledPoints(const ContourSet& contours, double spacing)
+{
+  const std::vector<double> lengths = EdgeLengths(contours);
+  const double length = std::accumulate(lengths.begin(), lengths.end(), 0.0);
+  if (spacing > 0 && length / spacing > MostResampledPoints)
+  {
+    throw Error("ResampleSpacing " + Text(spacing) + " would make about " + Text(length / spacing) +
+      " contour points, more than the " + Text(MostResampledPoints) + " allowed: choose " +
+      Text(1.01 * length / MostResampledPoints) + " or more.");
+  }
+}
+
 void CheckPositive(double value, const char* name, const char* meaningOfZero)
 {
   if (!(value >= 0) || !std::isfinite(value))
@@ -617,8 +636,16 @@ void CheckConstraintInput(const ContourSet& contours, const ConstraintOptions& o
       "All contours lie in one plane, where they say nothing about the space around it: add a "
       "contour on another plane.");
   }
+  CheckResampledPoints(contours, options.ResampleSpacing);
   const Box box = BoundingBox(contours);
-  if (options.MarginDistance > Norm(box.High - box.Low))
+  const double diagonal = Norm(box.High - box.Low);
+  if (options.MarginDistance > 0 && options.MarginDistance < LeastMarginDistance * diagonal)
+  {
+    throw Error("MarginDistance is less than a millionth of the contours' bounding box, where inside "
+                "and outside cannot be told apart any more: choose about a third of the distance "
+                "between contour points, or 0.");
+  }
+  if (options.MarginDistance > diagonal)
   {
     throw Error(
       "MarginDistance is larger than the contours' bounding box: choose about a third of the "

@@ -102,6 +102,7 @@ void ImplicitFunction::Validate() const
   const auto finitePoint = [&](const Point3& p) { return std::all_of(p.begin(), p.end(), finite); };
   if (!std::all_of(this->Centres.begin(), this->Centres.end(), finitePoint) ||
     !std::all_of(this->Weights.begin(), this->Weights.end(), finite) ||
+    !std::all_of(this->Values.begin(), this->Values.end(), finite) ||
     !std::all_of(this->Polynomial.begin(), this->Polynomial.end(), finite) ||
     !finitePoint(this->Origin))
   {

@@ -39,6 +39,24 @@ double MedianGap(const std::vector<double>& heights)
   return gaps.empty() ? 0 : gaps[gaps.size() / 2];
 }
 
+/// Points of the contours as they were given, of their edges too: resampling leaves out points, and
+/// the surface has to be found there all the same.
+std::vector<Point3> WitnessesOf(const ContourSet& contours)
+{
+  std::vector<Point3> witnesses;
+  for (const Contour& contour : contours.Contours)
+  {
+    for (std::size_t i = 0; i < contour.Points.size(); ++i)
+    {
+      const Point3& a = contours.Points[contour.Points[i]];
+      const Point3& b = contours.Points[contour.Points[(i + 1) % contour.Points.size()]];
+      witnesses.push_back(a);
+      witnesses.push_back(0.5 * a + 0.5 * b);
+    }
+  }
+  return witnesses;
+}
+
 void Append(const std::vector<std::string>& from, std::vector<std::string>& to)
 {
   to.insert(to.end(), from.begin(), from.end());
@@ -96,6 +114,7 @@ ImplicitSurface BuildImplicitSurface(
     meshing.Box = ChooseBoundsOf(contours);
   }
   CheckBounds(*meshing.Box);
+  meshing.Witnesses = WitnessesOf(contours);
   const std::vector<Point3> seeds = SeedsOf(contours);
   CheckCellCount(
     BoundsOf(seeds), *meshing.Box, ChooseCellSize(seeds, meshing.CellSize), meshing.MaximumCells);

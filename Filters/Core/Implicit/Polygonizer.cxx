@@ -4,6 +4,7 @@
 #include "../Mesh/TriangleTree.h"
 #include "EdgeRoots.h"
 #include "MeshCleanUp.h"
+#include "NumberText.h"
 #include "PointGrid.h"
 #include "SubMonitor.h"
 #include "SurfaceTracker.h"
@@ -11,7 +12,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 namespace recon
 {
@@ -19,6 +19,8 @@ namespace
 {
 /// A surface passes through about this many cells for every cell's face that it covers.
 constexpr double CellsPerFace = 1.5;
+/// The part of the bounds that is proposed where a cell was larger than all of them.
+constexpr double LeastCellsAcross = 0.1;
 /// A clean-up that leaves a smaller angle (degrees) says so.
 constexpr double PromisedAngle = 1;
 /// Where CellSize is to be chosen and cells miss walls or gaps that seeds are on, cells become
@@ -31,13 +33,6 @@ constexpr int MostFinerSteps = 2;
 constexpr double WorthFinding = 0.4;
 /// Steps to a cell in which a wall or gap is measured.
 constexpr int ThicknessSteps = 16;
-
-std::string Text(double x)
-{
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g", x);
-  return text;
-}
 
 /// An edge of the lattice: its lesser corner and its direction, bits of (x, y, z) in 1..7.
 struct LatticeEdge
@@ -272,17 +267,17 @@ bool IsWithin(const Point3& p, const Bounds& box)
   return true;
 }
 
-/// Seeds within the bounds that the function's surface passes by, but no triangle within a cell.
-std::vector<Point3> SeedsMissed(const BoundedField& field, const TriangleMesh& mesh,
-  const std::vector<Point3>& seeds, double cellSize)
+/// Points within the bounds that the function's surface passes by, but no triangle within a cell.
+std::vector<Point3> PointsMissed(const BoundedField& field, const TriangleMesh& mesh,
+  const std::vector<Point3>& points, double cellSize)
 {
   const TriangleTree tree(mesh);
   std::vector<Point3> far;
-  for (const Point3& seed : seeds)
+  for (const Point3& p : points)
   {
-    if (IsWithin(seed, field.Box()) && tree.DistanceTo(seed, 2 * cellSize) > cellSize)
+    if (IsWithin(p, field.Box()) && tree.DistanceTo(p, 2 * cellSize) > cellSize)
     {
-      far.push_back(seed);
+      far.push_back(p);
     }
   }
   // Smaller cells come no nearer to those that the function itself misses.
@@ -300,23 +295,23 @@ std::vector<Point3> SeedsMissed(const BoundedField& field, const TriangleMesh& m
   return missed;
 }
 
-/// Is a seed on a wall, or at a gap, that cells of half the size can find? The way to the other
+/// Is a point on a wall, or at a gap, that cells of half the size can find? The way to the other
 /// side is measured along the normal.
 bool AnyWorthFinding(
-  const BoundedField& field, const std::vector<Point3>& seeds, double cellSize)
+  const BoundedField& field, const std::vector<Point3>& points, double cellSize)
 {
-  const std::vector<Vector3> normals = OutwardNormals(field, seeds);
+  const std::vector<Vector3> normals = OutwardNormals(field, points);
   std::vector<Point3> probes;
-  for (std::size_t i = 0; i < seeds.size(); ++i)
+  for (std::size_t i = 0; i < points.size(); ++i)
   {
     for (int k = -ThicknessSteps; k <= ThicknessSteps; ++k)
     {
-      probes.push_back(seeds[i] + (k * cellSize / ThicknessSteps) * normals[i]);
+      probes.push_back(points[i] + (k * cellSize / ThicknessSteps) * normals[i]);
     }
   }
   const std::vector<double> g = field.Values(probes);
   const int steps = 2 * ThicknessSteps + 1;
-  for (std::size_t i = 0; i < seeds.size(); ++i)
+  for (std::size_t i = 0; i < points.size(); ++i)
   {
     int thinnest = ThicknessSteps + 1;
     for (int k = 1; k <= ThicknessSteps; ++k)
@@ -334,13 +329,15 @@ bool AnyWorthFinding(
 }
 
 /**
- * Tracks the surface, where CellSize is to be chosen with smaller cells until every seed is within
- * a cell of it: between two sheets of the surface that are nearer than a cell there may be no
+ * Tracks the surface, where CellSize is to be chosen with smaller cells until every seed and witness
+ * is within a cell of it: between two sheets of the surface that are nearer than a cell there may be no
  * corner, and then neither is found.
  */
 void TrackUntilFound(const BoundedField& field, const std::vector<Point3>& seeds,
   const PolygonizerOptions& options, ImplicitMesh& result, Monitor& monitor)
 {
+  std::vector<Point3> all = seeds;
+  all.insert(all.end(), options.Witnesses.begin(), options.Witnesses.end());
   double from = 0;
   for (int step = 0;; ++step)
   {
@@ -348,7 +345,7 @@ void TrackUntilFound(const BoundedField& field, const std::vector<Point3>& seeds
     SubMonitor tracking(monitor, std::min(from, 0.6), std::min(to, 0.6));
     from = to;
     result.Mesh = Track(field, seeds, result.CellSize, options, tracking);
-    const std::vector<Point3> missed = SeedsMissed(field, result.Mesh, seeds, result.CellSize);
+    const std::vector<Point3> missed = PointsMissed(field, result.Mesh, all, result.CellSize);
     const double finerTriangles =
       static_cast<double>(result.Mesh.Triangles.size()) / (FinerCells * FinerCells);
     if (!missed.empty() && options.CellSize == 0 && step < MostFinerSteps &&
@@ -360,7 +357,7 @@ void TrackUntilFound(const BoundedField& field, const std::vector<Point3>& seeds
     if (!missed.empty())
     {
       result.Report.push_back(std::to_string(missed.size()) +
-        " contour points are more than a cell of " + Text(result.CellSize) +
+        " points of contours are more than a cell of " + Text(result.CellSize) +
         " away from the surface, as the shape, or a gap in it, is thinner than that there: choose a "
         "smaller CellSize.");
     }
@@ -403,10 +400,6 @@ void CheckOptions(const PolygonizerOptions& options)
   if (!(options.Tolerance > 0 && options.Tolerance <= 0.1))
   {
     throw Error("The root tolerance must be a part of a cell, above 0 and at most 0.1.");
-  }
-  if (!(options.MaximumCells >= 1))
-  {
-    throw Error("The largest number of cells must be at least 1.");
   }
 }
 }
@@ -467,6 +460,10 @@ Bounds ChooseBounds(const std::vector<Point3>& seeds, const std::optional<Bounds
 
 void CheckCellCount(const Bounds& ofSeeds, const Bounds& box, double cellSize, double maximumCells)
 {
+  if (!(maximumCells >= 1) || !std::isfinite(maximumCells))
+  {
+    throw Error("MaximumCells must be at least 1, and a finite number.");
+  }
   std::array<double, 3> side{};
   double longest = 0;
   for (int a = 0; a < 3; ++a)
@@ -475,6 +472,11 @@ void CheckCellCount(const Bounds& ofSeeds, const Bounds& box, double cellSize, d
     const double high = std::min(ofSeeds[2 * a + 1], box[2 * a + 1]);
     side[a] = std::max(0.0, high - low);
     longest = std::max(longest, box[2 * a + 1] - box[2 * a]);
+  }
+  if (cellSize > longest)
+  {
+    throw Error("CellSize " + Text(cellSize) + " is larger than the bounds: choose less than " +
+      Text(LeastCellsAcross * longest) + ", or 0 to have it chosen.");
   }
   const double area = 2 * (side[0] * side[1] + side[1] * side[2] + side[2] * side[0]);
   const double cells = CellsPerFace * area / (cellSize * cellSize);

@@ -20,7 +20,7 @@ struct PolygonizerOptions
 {
   /// Edge of a cell in the units of the input. 0 = the median distance between neighbouring seeds,
   /// but not below 1/160 nor above 1/80 of their bounding box's diagonal; down to half of that
-  /// where seeds are on a wall or gap that such cells miss.
+  /// where seeds or Witnesses are on a wall or gap that such cells miss.
   double CellSize = 0;
   /// Tracking never leaves this box. Not given = that of the seeds, larger by a tenth of its
   /// diagonal.
@@ -33,6 +33,9 @@ struct PolygonizerOptions
   /// Short edges collapsed, diagonals flipped, vertices spread on the surface, until no angle is
   /// small.
   bool CleanUp = true;
+  /// Further points of the contours that seeds stand for: cells become smaller where the surface
+  /// passes by one of these and is missed, too, where CellSize is to be chosen.
+  std::vector<Point3> Witnesses;
   /// Each seed moves the nearest mesh vertex onto itself where that leaves a good mesh.
   bool SnapToSeeds = false;
   /// More cells than this are refused, before and while they are made.
@@ -69,7 +72,7 @@ Bounds ChooseBounds(const std::vector<Point3>& seeds, const std::optional<Bounds
  * An estimate from the box of the seeds, which the surface about fills, however far the bounds
  * reach.
  * @throws Error where the surface would take more cells than allowed, with the number and a better
- * size.
+ * size; where a cell is larger than the bounds, and where maximumCells is no number of cells.
  */
 void CheckCellCount(const Bounds& ofSeeds, const Bounds& box, double cellSize, double maximumCells);
 
