@@ -61,6 +61,7 @@ template <typename Filter>
 PolygonizerOptions PolygonizerOptionsOf(Filter* filter)
 {
   PolygonizerOptions options;
+  options.Detail = static_cast<PolygonizerOptions::DetailType>(filter->GetDetail());
   options.CellSize = filter->GetCellSize();
   options.Box = BoxOf(filter);
   options.ClosedAtBounds = filter->GetClosedAtBounds();

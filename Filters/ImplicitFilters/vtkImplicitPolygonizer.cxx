@@ -53,6 +53,7 @@ int vtkImplicitPolygonizer::RequestData(
 void vtkImplicitPolygonizer::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "Detail: " << this->Detail << "\n";
   os << indent << "CellSize: " << this->CellSize << "\n";
   os << indent << "UseBounds: " << this->UseBounds << "\n";
   os << indent << "Bounds:";

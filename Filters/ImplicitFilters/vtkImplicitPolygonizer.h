@@ -26,6 +26,23 @@ public:
   vtkTypeMacro(vtkImplicitPolygonizer, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  enum DetailType
+  {
+    Full = 0,
+    Medium = 1,
+    Coarse = 2
+  };
+
+  ///@{
+  /**
+   * How much the surface may cost. Full, the default, does what the other properties say. Medium
+   * makes cells of at least 1/100 of the contours' diagonal, Coarse of 1/50 and leaves the triangles
+   * as the cells cut them. All are closed, manifold and oriented, and Report tells a preview.
+   */
+  vtkSetClampMacro(Detail, int, Full, Coarse);
+  vtkGetMacro(Detail, int);
+  ///@}
+
   ///@{
   /**
    * Edge of a cell in the units of the input; 0, the default: from the distance of the contour
@@ -108,6 +125,7 @@ private:
   vtkImplicitPolygonizer(const vtkImplicitPolygonizer&) = delete;
   void operator=(const vtkImplicitPolygonizer&) = delete;
 
+  int Detail = Full;
   double CellSize = 0.0;
   bool UseBounds = false;
   double Bounds[6] = { 0.0, 1.0, 0.0, 1.0, 0.0, 1.0 };

@@ -73,6 +73,7 @@ int vtkImplicitSurface::RequestData(
 void vtkImplicitSurface::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "Detail: " << this->Detail << "\n";
   os << indent << "Mode: " << this->Mode << "\n";
   os << indent << "Values: " << this->Values << "\n";
   os << indent << "Normals: " << this->Normals << "\n";

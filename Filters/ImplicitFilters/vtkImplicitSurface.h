@@ -30,6 +30,26 @@ public:
   vtkTypeMacro(vtkImplicitSurface, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  enum DetailType
+  {
+    Full = 0,
+    Medium = 1,
+    Coarse = 2
+  };
+
+  ///@{
+  /**
+   * How much the surface may cost. Full, the default, does what the other properties say. Coarse and
+   * Medium are previews while properties are set: some hundred or some thousand of the contours'
+   * points, margins in the planes, one fit, cells of at least 1/50 or 1/100 of the contours'
+   * diagonal; Coarse leaves the triangles as the cells cut them and takes less than a second, Medium
+   * some seconds. All are closed, manifold and oriented, and Report tells a preview. Normals,
+   * ThinOut, ResampleSpacing, ResampleTolerance and CentreReduction are without effect in previews.
+   */
+  vtkSetClampMacro(Detail, int, Full, Coarse);
+  vtkGetMacro(Detail, int);
+  ///@}
+
   enum ModeType
   {
     Margins = 0,
@@ -288,6 +308,7 @@ private:
   vtkImplicitSurface(const vtkImplicitSurface&) = delete;
   void operator=(const vtkImplicitSurface&) = delete;
 
+  int Detail = Full;
   int Mode = Margins;
   int Values = Distance;
   int Normals = Refined;

@@ -125,6 +125,23 @@ surface.ClosedAtBounds = 0
 out = certified(surface)
 ct.check(number(out, "OpenEdges") > 0, "the pipe that is cut at the bounds has no border")
 
+# Previews: sound as the full surface, smaller, and told; going back to Full gives what was there before.
+full = ct.data(simple.ImplicitSurface(Input=contours))
+preview = simple.ImplicitSurface(Input=contours)
+for detail in ("Coarse", "Medium"):
+    preview.Detail = detail
+    out = certified(preview)
+    for figure in ("Closed", "Oriented", "Outward", "EdgeManifold", "VertexManifold"):
+        ct.check(field(out, figure) == ["1"], f"{detail}: {figure} is {field(out, figure)}")
+    ct.check(number(out, "CrossingPairs") == 0, f"the {detail} preview crosses itself")
+    ct.check(any("preview" in line for line in field(ct.data(preview), "Report")), f"the {detail} preview is not told")
+    ct.check(number(ct.data(preview), "CellSize") >= number(full, "CellSize"), f"{detail}: smaller cells")
+preview.Detail = "Full"
+ct.check(ct.data(preview).GetNumberOfPoints() == full.GetNumberOfPoints(), "Full is another surface after a preview")
+quick = simple.ImplicitPolygonizer(Input=model, Detail="Coarse")
+ct.check(number(certified(quick), "CrossingPairs") == 0 and field(certified(quick), "Closed") == ["1"], "the model's preview")
+ct.check(ct.data(quick).GetNumberOfPoints() != ct.data(mesh).GetNumberOfPoints(), "the model's preview is its surface")
+
 # Each bad input is a sentence and no output.
 bad = simple.ImplicitSurface(Input=contours)
 for properties, sentence in ((dict(CellSize=-1), "CellSize"), (dict(CellSize=1e-6), "cells"),

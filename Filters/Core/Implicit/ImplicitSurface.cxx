@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ImplicitSurface.h"
 
+#include "ContourPreview.h"
 #include "SubMonitor.h"
 
 #include <algorithm>
@@ -10,6 +11,9 @@ namespace recon
 {
 namespace
 {
+/// Contour points of previews: what a fit and a surface take a second, and some seconds, for.
+constexpr std::size_t CoarsePoints = 700;
+constexpr std::size_t MediumPoints = 2000;
 /// A contour that reaches beyond the outermost level by less than this part of the gap lies in it.
 constexpr double LeastReach = 1e-3;
 
@@ -103,6 +107,45 @@ Bounds ChooseBoundsOf(const ContourSet& contours)
   return box;
 }
 
+namespace
+{
+ImplicitSurface FitAndMesh(const ContourSet& contours, const ImplicitSurfaceOptions& options,
+  const PolygonizerOptions& meshing, Monitor& monitor)
+{
+  ImplicitSurface surface;
+  SubMonitor fitting(monitor, 0, 0.6);
+  surface.Fit = FitContours(contours, options.Constraints, options.Function, fitting);
+  SubMonitor polygonizing(monitor, 0.6, 1);
+  // Seeds are the contours that were fitted: resampling may leave the others a little off the
+  // surface.
+  surface.Mesh =
+    Polygonize(surface.Fit.Function, SeedsOf(surface.Fit.Contours), meshing, polygonizing);
+  Append(surface.Fit.Constraints.Report, surface.Report);
+  Append(surface.Fit.Function.Report, surface.Report);
+  Append(surface.Mesh.Report, surface.Report);
+  return surface;
+}
+
+ImplicitSurface BuildPreview(const ContourSet& contours, const ImplicitSurfaceOptions& options,
+  const PolygonizerOptions& meshing, Monitor& monitor)
+{
+  const bool coarse = meshing.Detail == PolygonizerOptions::Coarse;
+  const ContourSet shown =
+    PreviewOf(contours, meshing.CellSize, coarse ? CoarsePoints : MediumPoints);
+  ImplicitSurfaceOptions quick = options;
+  quick.Constraints.Normals = ConstraintOptions::InPlane;
+  quick.Constraints.ThinOut = false;
+  quick.Constraints.ResampleSpacing = 0;
+  quick.Constraints.ResampleTolerance = 0;
+  quick.Function.CentreReduction = 0;
+  ImplicitSurface surface = FitAndMesh(shown, quick, meshing, monitor);
+  surface.Report.push_back("The preview knows " + std::to_string(shown.Points.size()) +
+    " contour points on " + std::to_string(shown.Levels.size()) + " of " +
+    std::to_string(contours.Levels.size()) + " planes, with margins in these.");
+  return surface;
+}
+}
+
 ImplicitSurface BuildImplicitSurface(
   const ContourSet& contours, const ImplicitSurfaceOptions& options, Monitor& monitor)
 {
@@ -114,23 +157,23 @@ ImplicitSurface BuildImplicitSurface(
     meshing.Box = ChooseBoundsOf(contours);
   }
   CheckBounds(*meshing.Box);
-  meshing.Witnesses = WitnessesOf(contours);
   const std::vector<Point3> seeds = SeedsOf(contours);
-  CheckCellCount(
-    BoundsOf(seeds), *meshing.Box, ChooseCellSize(seeds, meshing.CellSize), meshing.MaximumCells);
+  const double cellSize = ChooseCellSize(seeds, meshing);
+  CheckCellCount(BoundsOf(seeds), *meshing.Box, cellSize, meshing.MaximumCells);
 
-  ImplicitSurface surface;
-  SubMonitor fitting(monitor, 0, 0.6);
-  surface.Fit = FitContours(contours, options.Constraints, options.Function, fitting);
-  SubMonitor polygonizing(monitor, 0.6, 1);
-  // Seeds are the contours that were fitted: resampling may leave the others a little off the
-  // surface.
-  surface.Mesh =
-    Polygonize(surface.Fit.Function, SeedsOf(surface.Fit.Contours), meshing, polygonizing);
-  Append(contours.Report, surface.Report);
-  Append(surface.Fit.Constraints.Report, surface.Report);
-  Append(surface.Fit.Function.Report, surface.Report);
-  Append(surface.Mesh.Report, surface.Report);
+  const bool full = meshing.Detail == PolygonizerOptions::Full;
+  if (full)
+  {
+    meshing.Witnesses = WitnessesOf(contours);
+  }
+  else
+  {
+    // The cells of all contours, not of those that the preview knows.
+    meshing.CellSize = cellSize;
+  }
+  ImplicitSurface surface = full ? FitAndMesh(contours, options, meshing, monitor)
+                                 : BuildPreview(contours, options, meshing, monitor);
+  surface.Report.insert(surface.Report.begin(), contours.Report.begin(), contours.Report.end());
   return surface;
 }
 }

@@ -29,6 +29,10 @@ struct ImplicitSurface
 /**
  * Constraints, function and polygonizer in one call with one progress bar.
  *
+ * With Polygonizer.Detail below Full the function, too, is that of a preview: through some hundred
+ * or some thousand of the contours' points, those that show in such cells, fitted once, with
+ * margins in the contours' planes.
+ *
  * Where no bounds are given, the solid ends half a level's distance beyond the first and the last
  * of the levels that are parallel to a coordinate plane, as segmentations of slices are meant; but
  * not on a side where contours of other levels reach farther, as they tell its end.

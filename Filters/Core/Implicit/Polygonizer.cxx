@@ -21,6 +21,11 @@ namespace
 constexpr double CellsPerFace = 1.5;
 /// The part of the bounds that is proposed where a cell was larger than all of them.
 constexpr double LeastCellsAcross = 0.1;
+/// Cells of previews, as parts of the diagonal of the seeds' bounding box, and how exactly coarse
+/// ones cut the surface, in cells.
+constexpr double MediumCells = 1.0 / 100;
+constexpr double CoarseCells = 1.0 / 50;
+constexpr double CoarseTolerance = 0.02;
 /// A clean-up that leaves a smaller angle (degrees) says so.
 constexpr double PromisedAngle = 1;
 /// Where CellSize is to be chosen and cells miss walls or gaps that seeds are on, cells become
@@ -395,6 +400,27 @@ void CleanUpMesh(const BoundedField& field, const std::vector<Point3>& seeds,
   }
 }
 
+/// What a preview does without; says so in the result's Report.
+PolygonizerOptions WithDetail(const PolygonizerOptions& asked, ImplicitMesh& result)
+{
+  PolygonizerOptions options = asked;
+  if (asked.Detail == PolygonizerOptions::Full)
+  {
+    return options;
+  }
+  options.CellSize = result.CellSize;
+  const bool coarse = asked.Detail == PolygonizerOptions::Coarse;
+  if (coarse)
+  {
+    options.CleanUp = false;
+    options.SnapToSeeds = false;
+    options.Tolerance = std::max(CoarseTolerance, asked.Tolerance);
+  }
+  result.Report.push_back("This is a preview with cells of " + Text(result.CellSize) +
+    (coarse ? " and triangles as they come" : "") + ": set Detail to Full for the whole surface.");
+  return options;
+}
+
 void CheckOptions(const PolygonizerOptions& options)
 {
   if (!(options.Tolerance > 0 && options.Tolerance <= 0.1))
@@ -438,6 +464,17 @@ double ChooseCellSize(const std::vector<Point3>& seeds, double asked)
   const auto middle = spacings.begin() + static_cast<std::ptrdiff_t>(spacings.size() / 2);
   std::nth_element(spacings.begin(), middle, spacings.end());
   return std::min(coarsest, std::max(diagonal / 160, *middle));
+}
+
+double ChooseCellSize(const std::vector<Point3>& seeds, const PolygonizerOptions& options)
+{
+  const double size = ChooseCellSize(seeds, options.CellSize);
+  if (options.Detail == PolygonizerOptions::Full)
+  {
+    return size;
+  }
+  const double part = options.Detail == PolygonizerOptions::Medium ? MediumCells : CoarseCells;
+  return std::max(size, part * DiagonalOf(BoundsOf(seeds)));
 }
 
 Bounds ChooseBounds(const std::vector<Point3>& seeds, const std::optional<Bounds>& asked)
@@ -510,14 +547,15 @@ std::vector<Point3> SeedsOf(const ImplicitFunction& function)
 }
 
 ImplicitMesh Polygonize(const ImplicitFunction& function, const std::vector<Point3>& seeds,
-  const PolygonizerOptions& options, Monitor& monitor)
+  const PolygonizerOptions& asked, Monitor& monitor)
 {
-  CheckOptions(options);
+  CheckOptions(asked);
   function.Validate();
   ImplicitMesh result;
-  const Bounds box = ChooseBounds(seeds, options.Box);
-  result.CellSize = ChooseCellSize(seeds, options.CellSize);
-  CheckCellCount(BoundsOf(seeds), box, result.CellSize, options.MaximumCells);
+  const Bounds box = ChooseBounds(seeds, asked.Box);
+  result.CellSize = ChooseCellSize(seeds, asked);
+  CheckCellCount(BoundsOf(seeds), box, result.CellSize, asked.MaximumCells);
+  const PolygonizerOptions options = WithDetail(asked, result);
 
   const BoundedField field(function, box, options.ClosedAtBounds, options.Threads, monitor);
   TrackUntilFound(field, seeds, options, result, monitor);

@@ -18,6 +18,15 @@ namespace recon
 {
 struct PolygonizerOptions
 {
+  /// How much a surface may cost; all are closed, manifold and oriented.
+  enum DetailType
+  {
+    Full = 0,   ///< as the other options say
+    Medium = 1, ///< cells of at least 1/100 of the seeds' diagonal
+    Coarse = 2  ///< cells of at least 1/50, triangles as the cells cut them: for under a second
+  };
+
+  DetailType Detail = Full;
   /// Edge of a cell in the units of the input. 0 = the median distance between neighbouring seeds,
   /// but not below 1/160 nor above 1/80 of their bounding box's diagonal; down to half of that
   /// where seeds or Witnesses are on a wall or gap that such cells miss.
@@ -31,7 +40,7 @@ struct PolygonizerOptions
   /// Largest distance, in cells, of a mesh vertex from the true zero along its normal.
   double Tolerance = 1e-6;
   /// Short edges collapsed, diagonals flipped, vertices spread on the surface, until no angle is
-  /// small.
+  /// small. Not where Detail is Coarse.
   bool CleanUp = true;
   /// Further points of the contours that seeds stand for: cells become smaller where the surface
   /// passes by one of these and is missed, too, where CellSize is to be chosen.
@@ -67,6 +76,8 @@ ImplicitMesh Polygonize(const ImplicitFunction& function, const std::vector<Poin
 
 /// The cell size and the box that options stand for.
 double ChooseCellSize(const std::vector<Point3>& seeds, double asked);
+/// With regard to Detail.
+double ChooseCellSize(const std::vector<Point3>& seeds, const PolygonizerOptions& options);
 Bounds ChooseBounds(const std::vector<Point3>& seeds, const std::optional<Bounds>& asked);
 /**
  * An estimate from the box of the seeds, which the surface about fills, however far the bounds

@@ -122,6 +122,31 @@ TEST(ImplicitSurface, TorusHasAHandle)
   EXPECT_NEAR(VolumeOf(torus.Mesh.Mesh), 2 * handmade::Pi * handmade::Pi * 10 * 16, 60);
 }
 
+TEST(ImplicitSurface, PreviewsAreSoundAndSaySo)
+{
+  // Many slices and points: what a preview is for.
+  const ContourSet torus = handmade::TorusSlices(10, 4, 60, 200);
+  const double truth = 2 * handmade::Pi * handmade::Pi * 10 * 16;
+  std::size_t fewer = 0;
+  for (const auto detail : { PolygonizerOptions::Coarse, PolygonizerOptions::Medium })
+  {
+    ImplicitSurfaceOptions options;
+    options.Polygonizer.Detail = detail;
+    options.Polygonizer.CellSize = 0.01; // finer than a preview's cells, so without effect
+    const ImplicitSurface preview = Build(torus, options);
+    ExpectSoundSurface(preview.Mesh.Mesh);
+    EXPECT_EQ(CheckTopology(preview.Mesh.Mesh).Total.Euler, 0);
+    EXPECT_NEAR(VolumeOf(preview.Mesh.Mesh), truth, 0.05 * truth);
+    EXPECT_NE(preview.Report.back().find("preview"), std::string::npos) << preview.Report.back();
+    EXPECT_GT(preview.Fit.Function.Centres.size(), fewer);
+    fewer = preview.Fit.Function.Centres.size();
+    EXPECT_LT(fewer, detail == PolygonizerOptions::Coarse ? 2500u : 7000u);
+    EXPECT_TRUE(detail == PolygonizerOptions::Coarse || preview.Mesh.LeastAngle >= 1);
+    options.Polygonizer.CellSize = 3; // coarser, so it counts
+    EXPECT_EQ(Build(torus, options).Mesh.CellSize, 3);
+  }
+}
+
 TEST(ImplicitSurface, CavitiesAreTurnedInward)
 {
   // Thesis 12.2: the wall of a hole has its inner constraints outside the hole.

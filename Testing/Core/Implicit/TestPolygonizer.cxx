@@ -201,6 +201,23 @@ TEST(Polygonizer, SmallerCellsWhereAGapWouldBeMissed)
   EXPECT_GT(missed, 0);
 }
 
+TEST(Polygonizer, DetailSetsTheCells)
+{
+  const double diagonal = DiagonalOf(BoundsOf(SeedsOf(Ball().Contours)));
+  PolygonizerOptions options;
+  options.Detail = PolygonizerOptions::Coarse;
+  const ImplicitMesh coarse = Mesh(Ball(), options);
+  ExpectSoundSurface(coarse.Mesh);
+  EXPECT_DOUBLE_EQ(coarse.CellSize, diagonal / 50);
+  ASSERT_EQ(coarse.Report.size(), 1u);
+  EXPECT_NE(coarse.Report.front().find("preview"), std::string::npos);
+  options.Detail = PolygonizerOptions::Medium;
+  const ImplicitMesh medium = Mesh(Ball(), options);
+  ExpectSoundSurface(medium.Mesh);
+  EXPECT_DOUBLE_EQ(medium.CellSize, std::max(diagonal / 100, Mesh(Ball()).CellSize));
+  EXPECT_GE(medium.LeastAngle, 1);
+}
+
 TEST(Polygonizer, SnapsContourPoints)
 {
   PolygonizerOptions options;

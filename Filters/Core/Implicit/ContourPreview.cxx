@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ContourPreview.h"
+
+#include "ContourResampling.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace recon
+{
+namespace
+{
+/// Sine of the angle below which levels are of one direction: they may be a little askew.
+constexpr double SameDirection = 0.1;
+/// Contours of an area below this part of a cell's face do not show.
+constexpr double LeastArea = 0.25;
+/// Spacings are tried from the one that would do for a single contour upward, by this factor.
+constexpr double SpacingGrowth = 1.5;
+constexpr int MostSpacings = 5;
+/// Where that leaves too many points, fewer levels and contours count as showing: cells grow by
+/// this factor, up to so many times.
+constexpr double CellGrowth = 1.5;
+constexpr int MostCellSizes = 5;
+
+/// Levels of one direction, by their place along it.
+struct Stack
+{
+  Vector3 Normal{};
+  std::vector<std::pair<double, int>> Places;
+};
+
+Point3 MiddleOf(const ContourSet& contours)
+{
+  Point3 sum{ 0, 0, 0 };
+  for (const Point3& p : contours.Points)
+  {
+    sum = sum + p;
+  }
+  return (1.0 / static_cast<double>(contours.Points.size())) * sum;
+}
+
+std::vector<Stack> StacksOf(const ContourSet& contours)
+{
+  // Where levels are askew, they are compared there where the contours are.
+  const Point3 middle = MiddleOf(contours);
+  std::vector<Stack> stacks;
+  for (int l = 0; l < static_cast<int>(contours.Levels.size()); ++l)
+  {
+    const Level& level = contours.Levels[l];
+    const Vector3& normal = level.Frame.Normal;
+    auto stack = std::find_if(stacks.begin(), stacks.end(),
+      [&](const Stack& s) { return Norm(Cross(s.Normal, normal)) < SameDirection; });
+    if (stack == stacks.end())
+    {
+      stack = stacks.insert(stacks.end(), { normal, {} });
+    }
+    const double place = level.Offset - Dot(normal, middle);
+    stack->Places.emplace_back(Dot(stack->Normal, normal) < 0 ? -place : place, l);
+  }
+  return stacks;
+}
+
+/// Which levels are a cell apart, the first and the last of every direction among them.
+std::vector<char> LevelsApart(const ContourSet& contours, double cellSize)
+{
+  std::vector<char> kept(contours.Levels.size(), 0);
+  for (Stack& stack : StacksOf(contours))
+  {
+    std::sort(stack.Places.begin(), stack.Places.end());
+    double last = stack.Places.front().first;
+    kept[stack.Places.front().second] = 1;
+    kept[stack.Places.back().second] = 1;
+    for (const auto& [place, level] : stack.Places)
+    {
+      if (place - last >= cellSize)
+      {
+        kept[level] = 1;
+        last = place;
+      }
+    }
+  }
+  return kept;
+}
+
+/// The kept levels with those of their contours that are large enough. Points keep their numbers.
+ContourSet Part(const ContourSet& contours, const std::vector<char>& kept, double leastArea)
+{
+  ContourSet part = contours;
+  part.Levels.clear();
+  part.Contours.clear();
+  for (std::size_t l = 0; l < contours.Levels.size(); ++l)
+  {
+    Level level = contours.Levels[l];
+    level.Contours.clear();
+    for (const int c : contours.Levels[l].Contours)
+    {
+      if (kept[l] && std::abs(contours.Contours[c].SignedArea) >= leastArea)
+      {
+        level.Contours.push_back(static_cast<int>(part.Contours.size()));
+        part.Contours.push_back(contours.Contours[c]);
+        part.Contours.back().Level = static_cast<int>(part.Levels.size());
+        part.Contours.back().Parent = -1;
+      }
+    }
+    if (!level.Contours.empty())
+    {
+      part.Levels.push_back(level);
+    }
+  }
+  return part;
+}
+
+double LengthOf(const ContourSet& contours)
+{
+  double length = 0;
+  for (const Contour& contour : contours.Contours)
+  {
+    for (std::size_t i = 0; i < contour.Points.size(); ++i)
+    {
+      const Point3& a = contours.Points[contour.Points[i]];
+      length += Norm(contours.Points[contour.Points[(i + 1) % contour.Points.size()]] - a);
+    }
+  }
+  return length;
+}
+
+/// What shows in cells of a size: at least two levels, as fewer make no solid.
+ContourSet ShownIn(const ContourSet& contours, double cellSize)
+{
+  const std::vector<char> kept = LevelsApart(contours, cellSize);
+  ContourSet shown = Part(contours, kept, LeastArea * cellSize * cellSize);
+  return shown.Levels.size() < 2 ? Part(contours, kept, 0) : shown;
+}
+
+/// Thinned out with growing spacings; the fewest points that were found.
+ContourSet ThinOutTo(const ContourSet& contours, std::size_t mostPoints)
+{
+  ContourSet fewest = contours;
+  double spacing = LengthOf(contours) / static_cast<double>(mostPoints);
+  for (int k = 0; k < MostSpacings && fewest.Points.size() > mostPoints; ++k)
+  {
+    ContourSet thin = ThinOut(contours, spacing);
+    if (thin.Points.size() < fewest.Points.size())
+    {
+      fewest = std::move(thin);
+    }
+    spacing *= SpacingGrowth;
+  }
+  return fewest;
+}
+}
+
+ContourSet PreviewOf(const ContourSet& contours, double cellSize, std::size_t mostPoints)
+{
+  ContourSet thin = ThinOutTo(ShownIn(contours, cellSize), mostPoints);
+  for (int k = 1; k < MostCellSizes && thin.Points.size() > mostPoints; ++k)
+  {
+    cellSize *= CellGrowth;
+    thin = ThinOutTo(ShownIn(contours, cellSize), mostPoints);
+  }
+  return thin;
+}
+}
