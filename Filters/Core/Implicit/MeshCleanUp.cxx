@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "MeshCleanUp.h"
 
+#include "../Mesh/SelfIntersections.h"
 #include "../Mesh/TrianglePair.h"
 #include "PointGrid.h"
+#include "SubMonitor.h"
+#include "TriangleGrid.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <memory>
 #include <tuple>
 
 namespace recon
@@ -33,9 +38,22 @@ constexpr double LeastOwnAgreement = 0.5;
 constexpr double NeedleAngle = 2;
 /// Triangles with a smaller angle (degrees) are worked on after the regular rounds.
 constexpr double SliverAngle = 5;
+/// A needle that can neither be flipped nor collapsed, as its short edge is the waist of a neck,
+/// has an end of that edge moved along the surface: by so many edge lengths, in so many directions.
+constexpr double Shifts[] = { 0.02, 0.04, 0.08, 0.16 };
+constexpr int ShiftDirections = 8;
+constexpr int MaximumShiftPasses = 4;
 /// A snapped vertex may not make an angle smaller than this (degrees).
 constexpr double LeastAnchoredAngle = 8;
 constexpr int MaximumSliverPasses = 12;
+/// Where two sheets of the surface are nearer than this many edge lengths, no change may make
+/// triangles cross. Sheets are told apart by the cosine of their normals.
+constexpr double ThinPlace = 1;
+constexpr double OtherSheet = 0.2;
+/// Where triangles cross all the same, it is begun again with all places thin that are so many edge
+/// lengths around, up to so many times.
+constexpr double AroundCrossing = 4;
+constexpr int MaximumAttempts = 3;
 
 using Triangle = std::array<int, 3>;
 
@@ -58,7 +76,9 @@ double LeastAngleOf(const Point3& a, const Point3& b, const Point3& c)
 class Editor
 {
 public:
-  Editor(TriangleMesh& mesh, std::vector<Vector3>& normals, double edgeLength)
+  /// @param thin a point: whether changes there are looked at for crossings
+  Editor(TriangleMesh& mesh, std::vector<Vector3>& normals, double edgeLength,
+    const std::vector<char>& thin)
     : P(mesh.Points),
       N(normals),
       T(mesh.Triangles),
@@ -66,6 +86,7 @@ public:
       Border(mesh.Points.size(), 0),
       Pinned(mesh.Points.size(), 0),
       Mesh(mesh),
+      Thin(thin),
       EdgeLength(edgeLength)
   {
     for (int t = 0; t < static_cast<int>(this->T.size()); ++t)
@@ -163,7 +184,7 @@ public:
     const int from = towardV >= towardU ? u : v;
     const Changes before = this->Remember(this->Around[from]);
     this->Merge(from, from == u ? v : u);
-    return agreement > OwnAgreement || this->KeepUncrossed(before);
+    return !this->MayCross(before, agreement) || this->KeepUncrossed(before);
   }
 
   /// Flips the edge where that makes the smaller of the two triangles' least angles larger.
@@ -198,7 +219,7 @@ public:
     const Changes old = this->Remember(both);
     this->Replace(both[0], first);
     this->Replace(both[1], second);
-    return agreement > OwnAgreement || this->KeepUncrossed(old);
+    return !this->MayCross(old, agreement) || this->KeepUncrossed(old);
   }
 
   bool Agrees(const Triangle& t, double agreement) const
@@ -233,6 +254,47 @@ public:
       least = std::min(least, this->AngleOf(this->T[t]));
     }
     return least;
+  }
+
+  /// The least angle around a vertex if it were there; negative where a triangle would turn.
+  double QualityOfMove(int v, const Point3& to)
+  {
+    const Point3 point = this->P[v];
+    double least = Pi;
+    for (const int t : this->Around[v])
+    {
+      const Vector3 old = this->AreaNormal(this->T[t]);
+      const bool needle = this->IsNeedle(this->T[t]);
+      this->P[v] = to;
+      const Vector3 now = this->AreaNormal(this->T[t]);
+      const bool keeps = needle || this->SameWay(old, now);
+      least = std::min(least, keeps ? this->AngleOf(this->T[t]) : -1);
+      this->P[v] = point;
+    }
+    return least;
+  }
+
+  /// Moves a vertex, unless triangles would cross: in thin places, or where that is always looked
+  /// at. @returns whether it was moved.
+  bool Move(int v, const Point3& to, const Vector3& normal, bool alwaysLook = false)
+  {
+    const Point3 point = this->P[v];
+    const Vector3 oldNormal = this->N[v];
+    this->P[v] = to;
+    this->N[v] = normal;
+    this->RegisterAround(v);
+    const std::vector<int>& around = this->Around[v];
+    const bool look = alwaysLook ||
+      std::any_of(around.begin(), around.end(), [this](int t) { return this->IsThin(this->T[t]); });
+    if (look &&
+      std::any_of(around.begin(), around.end(), [this](int t) { return this->Crosses(t); }))
+    {
+      this->P[v] = point;
+      this->N[v] = oldNormal;
+      this->RegisterAround(v);
+      return false;
+    }
+    return true;
   }
 
   void Compact()
@@ -289,6 +351,20 @@ private:
     return all;
   }
 
+  bool IsThin(const Triangle& t) const
+  {
+    return this->Thin[t[0]] || this->Thin[t[1]] || this->Thin[t[2]];
+  }
+
+  /// Is it possible that a change makes triangles cross? Where the surface's normals are not asked,
+  /// and where another sheet is near.
+  bool MayCross(const Changes& before, double agreement) const
+  {
+    return agreement <= OwnAgreement ||
+      std::any_of(before.begin(), before.end(),
+        [this](const auto& change) { return this->IsThin(change.second); });
+  }
+
   /// Takes a change back where a changed triangle crosses another one. @returns whether it stays.
   bool KeepUncrossed(const Changes& before)
   {
@@ -316,43 +392,74 @@ private:
       {
         this->Around[v].push_back(t);
       }
+      this->Register(t);
     }
   }
 
-  /// Every other triangle is looked at: there are few needles, and no tree to keep up to date.
-  bool Crosses(int t) const
+  bool Crosses(int t)
   {
-    for (int s = 0; s < static_cast<int>(this->T.size()); ++s)
+    if (!this->Grid)
     {
-      if (s == t || this->T[s][0] < 0 || this->Apart(s, t))
+      this->Grid = std::make_unique<TriangleGrid>(2 * this->EdgeLength);
+      for (int s = 0; s < static_cast<int>(this->T.size()); ++s)
       {
-        continue;
-      }
-      const PairRelation relation = RelateTriangles(this->Mesh, s, t);
-      if (relation == PairRelation::Crossing || relation == PairRelation::Overlapping)
-      {
-        return true;
+        this->Register(s);
       }
     }
-    return false;
+    const auto [low, high] = this->BoxOf(this->T[t]);
+    return this->Grid->AnyNear(low, high,
+      [&, low = low, high = high](int s)
+      {
+        if (s == t || this->T[s][0] < 0 || this->IsApart(this->T[s], low, high))
+        {
+          return false;
+        }
+        const PairRelation relation = RelateTriangles(this->Mesh, s, t);
+        return relation == PairRelation::Crossing || relation == PairRelation::Overlapping;
+      });
   }
 
-  /// Are the triangles' boxes disjoint?
-  bool Apart(int s, int t) const
+  std::pair<Point3, Point3> BoxOf(const Triangle& t) const
   {
+    std::pair<Point3, Point3> box;
     for (int a = 0; a < 3; ++a)
     {
-      const auto range = [&](const Triangle& x) {
-        return std::minmax({ this->P[x[0]][a], this->P[x[1]][a], this->P[x[2]][a] });
-      };
-      const auto [lowS, highS] = range(this->T[s]);
-      const auto [lowT, highT] = range(this->T[t]);
-      if (highS < lowT || highT < lowS)
+      std::tie(box.first[a], box.second[a]) =
+        std::minmax({ this->P[t[0]][a], this->P[t[1]][a], this->P[t[2]][a] });
+    }
+    return box;
+  }
+
+  /// Are a triangle's box and this one disjoint?
+  bool IsApart(const Triangle& t, const Point3& low, const Point3& high) const
+  {
+    const auto [lowT, highT] = this->BoxOf(t);
+    for (int a = 0; a < 3; ++a)
+    {
+      if (high[a] < lowT[a] || highT[a] < low[a])
       {
         return true;
       }
     }
     return false;
+  }
+
+  /// Lets Crosses know where a triangle is now.
+  void Register(int t)
+  {
+    if (this->Grid && this->T[t][0] >= 0)
+    {
+      const auto [low, high] = this->BoxOf(this->T[t]);
+      this->Grid->Put(t, low, high);
+    }
+  }
+
+  void RegisterAround(int v)
+  {
+    for (const int t : this->Around[v])
+    {
+      this->Register(t);
+    }
   }
 
   static bool Has(const Triangle& t, int v) { return t[0] == v || t[1] == v || t[2] == v; }
@@ -388,10 +495,14 @@ private:
   /// Does a triangle keep its direction? A needle has none.
   bool KeepsItself(const Triangle& before, const Triangle& after) const
   {
-    const Vector3 old = this->AreaNormal(before);
-    const Vector3 now = this->AreaNormal(after);
-    return this->AngleOf(before) < SliverAngle * Pi / 180 ||
-      Dot(old, now) > LeastOwnAgreement * Norm(old) * Norm(now);
+    return this->IsNeedle(before) || this->SameWay(this->AreaNormal(before), this->AreaNormal(after));
+  }
+
+  bool IsNeedle(const Triangle& t) const { return this->AngleOf(t) < SliverAngle * Pi / 180; }
+
+  static bool SameWay(const Vector3& m, const Vector3& n)
+  {
+    return Dot(m, n) > LeastOwnAgreement * Norm(m) * Norm(n);
   }
 
   bool MayReplace(
@@ -405,8 +516,7 @@ private:
     bool any = false;
     for (const int t : before)
     {
-      const bool needle = this->AngleOf(this->T[t]) < SliverAngle * Pi / 180;
-      any = any || !needle;
+      any = any || !this->IsNeedle(this->T[t]);
       all =
         all && this->KeepsItself(this->T[t], after[0]) && this->KeepsItself(this->T[t], after[1]);
     }
@@ -497,6 +607,7 @@ private:
     {
       this->Around[v].push_back(t);
     }
+    this->Register(t);
   }
 
   /// u's triangles become v's, those on the edge go.
@@ -518,7 +629,9 @@ private:
   }
 
   const TriangleMesh& Mesh; ///< P and T
+  const std::vector<char>& Thin;
   double EdgeLength;
+  std::unique_ptr<TriangleGrid> Grid; ///< made when it is first needed
 };
 
 void CollapseShortEdges(Editor& editor, double limit)
@@ -605,10 +718,11 @@ void Spread(Editor& editor, const Projector& project)
     editor.P[v] = points[i];
     editor.N[v] = normals[i];
     const double after = editor.QualityAround(v, LeastAgreement);
-    if (!(after > std::min(before, 0.4)))
+    editor.P[v] = oldPoint;
+    editor.N[v] = oldNormal;
+    if (after > std::min(before, 0.4))
     {
-      editor.P[v] = oldPoint;
-      editor.N[v] = oldNormal;
+      editor.Move(v, points[i], normals[i]);
     }
   }
 }
@@ -642,7 +756,85 @@ std::size_t MendSlivers(Editor& editor, double angle, double agreement)
   return mended;
 }
 
-void RemoveSlivers(Editor& editor, const Projector& project)
+/// Places along the surface that a vertex may be moved to.
+struct ShiftedVertices
+{
+  std::vector<int> Vertices;
+  std::vector<Point3> Points;
+  std::vector<Vector3> Normals;
+  std::vector<char> Done;
+
+  void Add(const Editor& editor, int v, double edgeLength)
+  {
+    const Vector3& n = editor.N[v];
+    const int least = std::abs(n[0]) < std::abs(n[1]) ? (std::abs(n[0]) < std::abs(n[2]) ? 0 : 2)
+                                                      : (std::abs(n[1]) < std::abs(n[2]) ? 1 : 2);
+    Vector3 axis{ 0, 0, 0 };
+    axis[least] = 1;
+    const Vector3 u = (1 / Norm(Cross(axis, n))) * Cross(axis, n);
+    const Vector3 w = Cross(n, u);
+    for (const double shift : Shifts)
+    {
+      for (int k = 0; k < ShiftDirections; ++k)
+      {
+        const double angle = 2 * Pi * k / ShiftDirections;
+        this->Vertices.push_back(v);
+        this->Points.push_back(editor.P[v] +
+          (shift * edgeLength * std::cos(angle)) * u + (shift * edgeLength * std::sin(angle)) * w);
+      }
+    }
+  }
+};
+
+/// Moves the ends of needles' short edges to where the least angle around them is largest.
+std::size_t ShiftNeedles(Editor& editor, const Projector& project, double edgeLength)
+{
+  ShiftedVertices shifted;
+  for (const Triangle& t : editor.T)
+  {
+    if (t[0] < 0 || editor.AngleOf(t) >= NeedleAngle * Pi / 180)
+    {
+      continue;
+    }
+    for (const int v : t)
+    {
+      if (!editor.Border[v] && !editor.Pinned[v] && Norm(editor.N[v]) > 0.5)
+      {
+        shifted.Add(editor, v, edgeLength);
+      }
+    }
+  }
+  if (shifted.Points.empty())
+  {
+    return 0;
+  }
+  project(shifted.Points, shifted.Normals, shifted.Done);
+  std::size_t moved = 0;
+  const std::size_t many = ShiftDirections * std::size(Shifts);
+  for (std::size_t from = 0; from < shifted.Points.size(); from += many)
+  {
+    const int v = shifted.Vertices[from];
+    double best = editor.QualityAround(v, OwnAgreement);
+    if (best >= NeedleAngle * Pi / 180)
+    {
+      continue;
+    }
+    std::size_t at = from + many;
+    for (std::size_t i = from; i < from + many; ++i)
+    {
+      const double quality = shifted.Done[i] ? editor.QualityOfMove(v, shifted.Points[i]) : -1;
+      if (quality > best)
+      {
+        best = quality;
+        at = i;
+      }
+    }
+    moved += at < from + many && editor.Move(v, shifted.Points[at], shifted.Normals[at], true) ? 1 : 0;
+  }
+  return moved;
+}
+
+void RemoveSlivers(Editor& editor, const Projector& project, double edgeLength)
 {
   for (int pass = 0; pass < MaximumSliverPasses; ++pass)
   {
@@ -663,6 +855,14 @@ void RemoveSlivers(Editor& editor, const Projector& project)
     {
       break;
     }
+  }
+  for (int pass = 0; pass < MaximumShiftPasses; ++pass)
+  {
+    if (ShiftNeedles(editor, project, edgeLength) == 0)
+    {
+      break;
+    }
+    MendSlivers(editor, NeedleAngle * Pi / 180, OwnAgreement);
   }
 }
 
@@ -694,24 +894,76 @@ std::size_t Anchor(Editor& editor, const std::vector<Point3>& anchors, double ed
     const Point3 old = editor.P[v];
     const double before = editor.QualityAround(v, LeastAgreement);
     editor.P[v] = anchors[a];
-    if (editor.QualityAround(v, LeastAgreement) >
-      std::min(before * 0.99, LeastAnchoredAngle * Pi / 180))
+    const double after = editor.QualityAround(v, LeastAgreement);
+    editor.P[v] = old;
+    if (after > std::min(before * 0.99, LeastAnchoredAngle * Pi / 180) &&
+      editor.Move(v, anchors[a], editor.N[v]))
     {
       placed[a] = 1;
       editor.Pinned[v] = 1;
       ++count;
-      continue;
     }
-    editor.P[v] = old;
   }
   return count;
 }
+
+/// Points near which another sheet of the surface is.
+std::vector<char> ThinPlaces(
+  const std::vector<Point3>& points, const std::vector<Vector3>& normals, double edgeLength)
+{
+  const double radius = ThinPlace * edgeLength;
+  const PointGrid grid(points, radius);
+  std::vector<char> thin(points.size(), 0);
+  for (std::size_t v = 0; v < points.size(); ++v)
+  {
+    if (!thin[v])
+    {
+      grid.ForNear(points[v], radius,
+        [&](int w, double)
+        {
+          if (Dot(normals[v], normals[w]) < OtherSheet)
+          {
+            thin[v] = 1;
+            thin[w] = 1;
+          }
+        });
+    }
+  }
+  return thin;
 }
 
-CleanUpResult CleanUp(TriangleMesh& mesh, std::vector<Vector3>& normals, const Projector& project,
-  const CleanUpOptions& options, Monitor& monitor)
+/// Marks the points around triangles of `crossed` that cross. @returns how many pairs do.
+std::int64_t MarkCrossings(const TriangleMesh& crossed, const std::vector<Point3>& points,
+  double edgeLength, int threads, Monitor& monitor, std::vector<char>& thin)
 {
-  Editor editor(mesh, normals, options.EdgeLength);
+  SelfIntersectionOptions options;
+  options.Threads = threads;
+  AbortMonitor silent(monitor);
+  const SelfIntersections found = FindSelfIntersections(crossed, options, silent);
+  if (!found.Any())
+  {
+    return 0;
+  }
+  const PointGrid grid(points, edgeLength);
+  for (const IntersectingPair& pair : found.Pairs)
+  {
+    for (const int t : { pair.First, pair.Second })
+    {
+      if (pair.Kind != IntersectingPair::Touching)
+      {
+        grid.ForNear(crossed.Points[crossed.Triangles[t][0]], AroundCrossing * edgeLength,
+          [&](int v, double) { thin[v] = 1; });
+      }
+    }
+  }
+  return found.Crossing + found.Overlapping;
+}
+
+CleanUpResult CleanUpOnce(TriangleMesh& mesh, std::vector<Vector3>& normals,
+  const Projector& project, const CleanUpOptions& options, const std::vector<char>& thin,
+  Monitor& monitor)
+{
+  Editor editor(mesh, normals, options.EdgeLength, thin);
   for (int round = 0; round < options.Rounds; ++round)
   {
     monitor.Update(static_cast<double>(round) / (options.Rounds + 1), "cleaning up the mesh");
@@ -722,17 +974,40 @@ CleanUpResult CleanUp(TriangleMesh& mesh, std::vector<Vector3>& normals, const P
   }
   monitor.Update(
     static_cast<double>(options.Rounds) / (options.Rounds + 1), "cleaning up the mesh");
-  RemoveSlivers(editor, project);
+  RemoveSlivers(editor, project, options.EdgeLength);
   CleanUpResult result;
   if (!options.Anchors.empty())
   {
     result.Anchored = Anchor(editor, options.Anchors, options.EdgeLength);
     FlipEdges(editor);
     Spread(editor, project);
-    RemoveSlivers(editor, project);
+    RemoveSlivers(editor, project, options.EdgeLength);
   }
   editor.Compact();
   result.LeastAngle = LeastAngle(mesh);
+  return result;
+}
+}
+
+CleanUpResult CleanUp(TriangleMesh& mesh, std::vector<Vector3>& normals, const Projector& project,
+  const CleanUpOptions& options, Monitor& monitor)
+{
+  const TriangleMesh given = mesh;
+  const std::vector<Vector3> givenNormals = normals;
+  std::vector<char> thin = ThinPlaces(given.Points, givenNormals, options.EdgeLength);
+  CleanUpResult result;
+  for (int attempt = 0; attempt < MaximumAttempts; ++attempt)
+  {
+    mesh = given;
+    normals = givenNormals;
+    result = CleanUpOnce(mesh, normals, project, options, thin, monitor);
+    result.Crossing =
+      MarkCrossings(mesh, given.Points, options.EdgeLength, options.Threads, monitor, thin);
+    if (result.Crossing == 0)
+    {
+      break;
+    }
+  }
   monitor.Update(1, "cleaning up the mesh");
   return result;
 }

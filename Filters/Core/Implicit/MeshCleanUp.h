@@ -9,6 +9,7 @@
 #include "../Mesh/TriangleMesh.h"
 #include "../Monitor.h"
 
+#include <cstdint>
 #include <functional>
 #include <vector>
 
@@ -22,6 +23,7 @@ struct CleanUpOptions
 {
   double EdgeLength = 1; ///< what edges should have (units of the input)
   int Rounds = 3;
+  int Threads = 0; ///< 0 = all of the machine; the result does not depend on it
   std::vector<Point3> Anchors; ///< points of the surface that should become vertices (none = empty)
 };
 
@@ -29,12 +31,14 @@ struct CleanUpResult
 {
   double LeastAngle = 0; ///< degrees
   std::size_t Anchored = 0;
+  std::int64_t Crossing = 0; ///< pairs of triangles that cross or overlap
 };
 
 /**
  * Collapses short edges where the link condition holds (so a manifold stays one, of the same
  * genus), flips diagonals, spreads vertices in their tangent planes and projects them back. Border
- * vertices stay.
+ * vertices stay. Where two sheets are near each other no change is made that lets triangles cross,
+ * and the whole is looked at in the end: a mesh that did not cross itself does not afterwards.
  *
  * @param normals at the points, out of the solid; kept up to date. No triangle may turn against
  * them.

@@ -382,6 +382,7 @@ void CleanUpMesh(const BoundedField& field, const std::vector<Point3>& seeds,
   };
   CleanUpOptions cleaning;
   cleaning.EdgeLength = h;
+  cleaning.Threads = options.Threads;
   if (options.SnapToSeeds)
   {
     cleaning.Anchors = seeds;
@@ -391,6 +392,11 @@ void CleanUpMesh(const BoundedField& field, const std::vector<Point3>& seeds,
   {
     result.Report.push_back("A triangle's angle of " + Text(cleaned.LeastAngle) +
       " degrees could not be mended without moving the surface.");
+  }
+  if (cleaned.Crossing > 0)
+  {
+    result.Report.push_back(std::to_string(cleaned.Crossing) +
+      " pairs of triangles cross each other: choose a smaller CellSize, or no CleanUp.");
   }
   if (options.SnapToSeeds && cleaned.Anchored < seeds.size())
   {
