@@ -814,22 +814,30 @@ std::size_t ShiftNeedles(Editor& editor, const Projector& project, double edgeLe
   for (std::size_t from = 0; from < shifted.Points.size(); from += many)
   {
     const int v = shifted.Vertices[from];
-    double best = editor.QualityAround(v, OwnAgreement);
-    if (best >= NeedleAngle * Pi / 180)
+    const double before = editor.QualityAround(v, OwnAgreement);
+    if (before >= NeedleAngle * Pi / 180)
     {
       continue;
     }
-    std::size_t at = from + many;
+    std::vector<std::pair<double, std::size_t>> better;
     for (std::size_t i = from; i < from + many; ++i)
     {
       const double quality = shifted.Done[i] ? editor.QualityOfMove(v, shifted.Points[i]) : -1;
-      if (quality > best)
+      if (quality > before)
       {
-        best = quality;
-        at = i;
+        better.emplace_back(-quality, i);
       }
     }
-    moved += at < from + many && editor.Move(v, shifted.Points[at], shifted.Normals[at], true) ? 1 : 0;
+    std::sort(better.begin(), better.end());
+    // The best one where nothing crosses.
+    moved += std::any_of(better.begin(), better.end(),
+               [&](const auto& place)
+               {
+                 const std::size_t i = place.second;
+                 return editor.Move(v, shifted.Points[i], shifted.Normals[i], true);
+               })
+      ? 1
+      : 0;
   }
   return moved;
 }

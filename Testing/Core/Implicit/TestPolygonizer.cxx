@@ -6,6 +6,7 @@
 #include "ImplicitShapes.h"
 #include "Mesh/TriangleTree.h"
 
+#include <random>
 #include <set>
 
 using namespace recon;
@@ -148,6 +149,34 @@ TEST(Polygonizer, NoNeedlesWhereWallsAreThinnerThanCells)
     ExpectSoundSurface(mesh.Mesh);
     EXPECT_GE(mesh.LeastAngle, 1) << size;
   }
+}
+
+TEST(Polygonizer, MazesStaySound)
+{
+  // A function through random values: necks, walls and gaps of any width below a cell.
+  std::size_t triangles = 0;
+  for (int seed = 0; seed < 12; ++seed)
+  {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> place(-1, 1);
+    std::vector<Point3> points;
+    std::vector<double> values;
+    for (int k = 0; k < 400; ++k)
+    {
+      points.push_back({ place(random), place(random), place(random) });
+      values.push_back(k % 3 - 1);
+    }
+    Monitor monitor;
+    const ImplicitFunction maze = FitImplicitFunction(points, values, FunctionOptions(), monitor);
+    PolygonizerOptions options;
+    options.Box = Bounds{ -1, 1, -1, 1, -1, 1 };
+    options.CellSize = 0.1 + 0.005 * seed;
+    const ImplicitMesh mesh = Polygonize(maze, SeedsOf(maze), options, monitor);
+    ExpectSoundSurface(mesh.Mesh);
+    EXPECT_GE(mesh.LeastAngle, 1) << "seed " << seed;
+    triangles += mesh.Mesh.Triangles.size();
+  }
+  EXPECT_GT(triangles, 30000u);
 }
 
 TEST(Polygonizer, SmallerCellsWhereAGapWouldBeMissed)
