@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Write the table of certificates: a row a region of interest, reconstructed by the Polyhedral Surface.
 
-    ./run certificates [SHARED_DATA [OUTPUT.md]]
+    ./run certificates [--method psm|ism] [SHARED_DATA [OUTPUT.md]]
 
 Rows are the contour files of Data/ and, where SHARED_DATA (default ../shared/data) is there, every region of
-every structure set, NUAGES file and parallel cross-section set of it. What cannot be reconstructed has a row
-that says why.
+every structure set, NUAGES file and cross-section set of it. What cannot be reconstructed has a row
+that says why. With --method ism by the Implicit Surface, into Data/CERTIFICATES_IMPLICIT.md; that takes a quarter of an hour.
 """
+import argparse
 import glob
 import os
 import sys
@@ -18,12 +19,18 @@ TITLES = ["file", "region", "contours", "triangles", "components", "genus", "clo
           "crossing", "sheets", "overlapping", "touching", "smallest angle", "volume", "area", "vertex off", "edge off",
           "worst level, %", "notes", "seconds"]
 
+# Of a method: its node, its table, the command that writes it, and the files that it takes beside those of Data/.
+FILES = ("rtstruct/*.dcm", "rtstruct/phantoms/*.dcm", "cnt/*.cnt", "csl/*.csl")
+METHODS = {"psm": ("Polyhedral Surface", "CERTIFICATES.md", "./run certificates", FILES),
+           "ism": ("Implicit Surface", "CERTIFICATES_IMPLICIT.md", "./run certificates --method ism",
+                   FILES + ("contour/*.contour",))}
 
-def files(shared):
+
+def files(shared, patterns):
     """(path, as shown)"""
     own = sorted(glob.glob(os.path.join(SOURCE, "Data", "*.cnt")) + glob.glob(os.path.join(SOURCE, "Data", "*.csl")))
     others = []
-    for pattern in ("rtstruct/*.dcm", "rtstruct/phantoms/*.dcm", "cnt/*.cnt", "csl/*.csl"):
+    for pattern in patterns:
         others += sorted(glob.glob(os.path.join(shared, pattern)))
     return ([(path, "Data/" + os.path.basename(path)) for path in own] +
             [(path, os.path.relpath(path, shared)) for path in others])
@@ -55,14 +62,14 @@ def is_parallel(contours):
     return normals is None or len({normals.GetTuple(i) for i in range(normals.GetNumberOfTuples())}) == 1
 
 
-def row(shown, contours):
+def row(shown, contours, method):
     if contours.empty:
         return [shown, contours.name, "0"] + ["no contours"] + [""] * (len(TITLES) - 4)
-    if not is_parallel(contours):
+    if method == "psm" and not is_parallel(contours):
         return [shown, contours.name, str(contours.data.GetNumberOfCells()),
                 "planes of several directions: for Implicit Surface"] + [""] * (len(TITLES) - 4)
     try:
-        result = cli.reconstruct(contours)
+        result = cli.reconstruct(contours, method)
     except cli.CommandError as error:
         return [shown, contours.name, str(contours.data.GetNumberOfCells()), str(error)] + [""] * (len(TITLES) - 4)
     total = result.certificate["JSON"]["Total"]
@@ -77,24 +84,30 @@ def row(shown, contours):
 
 
 def main():
-    shared = os.path.abspath(sys.argv[1] if len(sys.argv) > 1 else os.path.join(SOURCE, "..", "shared", "data"))
-    output = sys.argv[2] if len(sys.argv) > 2 else os.path.join(SOURCE, "Data", "CERTIFICATES.md")
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--method", choices=sorted(METHODS), default="psm")
+    parser.add_argument("shared", nargs="?", default=os.path.join(SOURCE, "..", "shared", "data"))
+    parser.add_argument("output", nargs="?")
+    options = parser.parse_args()
+    node, table, command, patterns = METHODS[options.method]
+    shared = os.path.abspath(options.shared)
+    output = options.output or os.path.join(SOURCE, "Data", table)
     cli.load_plugin()
     rows = []
-    for path, shown in files(shared):
+    for path, shown in files(shared, patterns):
         try:
             blocks, _ = cli.read_contours(path)
         except cli.CommandError as error:
             rows.append([shown, "", "", str(error).replace(path, shown)] + [""] * (len(TITLES) - 4))
             continue
         for contours in blocks:
-            rows.append(row(shown, contours))
+            rows.append(row(shown, contours, options.method))
             print("  ".join(rows[-1]), file=sys.stderr, flush=True)
     with open(output, "w") as file:
         file.write(
             "# Certificates\n\n"
-            "Every region of interest, reconstructed by the Polyhedral Surface with default settings and examined "
-            "by the Surface Certificate. Written by `./run certificates`; units are those of the input, angles in "
+            f"Every region of interest, reconstructed by the {node} with default settings and examined "
+            f"by the Surface Certificate. Written by `{command}`; units are those of the input, angles in "
             "degrees. *Crossing*, *overlapping* and *touching* count pairs of triangles, *sheets* edges at "
             "which sheets of the surface cross; touching is what a surface cut apart into a manifold leaves. *Vertex off* and *edge off* are the farthest that a contour vertex "
             "or edge is from the surface, those of contours that were left out included; *worst level* is the largest area, in percent of a level's contours, that "
