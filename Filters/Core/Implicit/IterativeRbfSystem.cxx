@@ -108,8 +108,8 @@ public:
     return this->Fast ? this->Summed(w, accuracy, monitor) : this->Exact(w, monitor);
   }
 
-  /// Off by no more than is allowed, as far as a sample tells: by exact sums where the fast ones are
-  /// not so accurate.
+  /// Off by no more than is allowed, as far as a sample tells: by exact sums where the fast ones
+  /// are not so accurate.
   Vector WithinError(const Vector& w, double allowed, Monitor& monitor)
   {
     if (this->Fast)

@@ -17,6 +17,11 @@ extern "C"
     const int* n, const double* alpha, const double* a, const int* lda, double* b, const int* ldb);
   void dsyrk_(const char* uplo, const char* trans, const int* n, const int* k, const double* alpha,
     const double* a, const int* lda, const double* beta, double* c, const int* ldc);
+  void dgemm_(const char* transa, const char* transb, const int* m, const int* n, const int* k,
+    const double* alpha, const double* a, const int* lda, const double* b, const int* ldb,
+    const double* beta, double* c, const int* ldc);
+  void dlaswp_(const int* n, double* a, const int* lda, const int* k1, const int* k2,
+    const int* ipiv, const int* incx);
   void dpotrs_(const char* uplo, const int* n, const int* nrhs, const double* a, const int* lda,
     double* b, const int* ldb, int* info);
   void dgetrf_(const int* m, const int* n, double* a, const int* lda, int* ipiv, int* info);

@@ -380,6 +380,24 @@ TEST(IterativeSolver, StopsWithinASecondWhereverItIs)
   }
 }
 
+TEST(DirectSolvers, StopWithinASecondWhereverTheyAre)
+{
+  const Sample sample = shapes::WavyBall(40, 50, 0.01);
+  for (const auto solver : { FunctionOptions::Direct, FunctionOptions::LU })
+  {
+    FunctionOptions options;
+    options.Solver = solver;
+    Impatient whole(2);
+    const ImplicitFunction function =
+      FitImplicitFunction(sample.Points, sample.Values, options, whole);
+    EXPECT_LT(whole.Silence, 1) << solver;
+    EXPECT_LT(function.Residual, 1e-8) << solver;
+    Impatient stopper(0.5);
+    EXPECT_THROW(FitImplicitFunction(sample.Points, sample.Values, options, stopper), Aborted);
+    EXPECT_LT(SecondsSince(stopper.Last), 1) << solver;
+  }
+}
+
 TEST(CentreReduction, TakesFewerCentresAndMissesNoConstraintByMore)
 {
   const Sample sample = shapes::WavyBall(40, 60, 0.05);
