@@ -280,7 +280,8 @@ public:
   bool Factorise(const RbfProblem& problem, Monitor& monitor)
   {
     const Index n = static_cast<Index>(problem.Points.size());
-    this->A = MatrixXd::Zero(n + 4, n + 4);
+    this->A.resize(n + 4, n + 4); // not set to zero: that alone takes a second where it is large
+    this->A.bottomRightCorner(4, 4).setZero();
     FillKernels(problem, false, this->A, monitor, { 0, 0.15, "filling the matrix" });
     const MatrixXd p = PolynomialsOf(problem.Points);
     this->A.topRightCorner(n, 4) = p;
