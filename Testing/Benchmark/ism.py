@@ -2,12 +2,15 @@
 """Fits of the implicit method at growing size, beside scipy and ferreus_rbf.
 
     ./run bench ism [--sizes 3000,10020,29700] [--distances 0.01] [--shapes ball,branching,thin] [--real lung,body,vetebrae]
-                    [--no-rivals] [--evaluate N] [--surface] [--limit SECONDS] [--json FILE] [--plot FILE]
+                    [--no-rivals] [--evaluate N] [--surface] [--limit SECONDS] [--json FILE] [--plot FILE] [--check]
 
 Every fit is a process of its own; times are processor and wall seconds, memory is the process's largest. The rivals, and
 matplotlib for the plot, are installed into an environment in the build folder (PyPI, through pip). The quick run above takes a few
 minutes; real sets alone are --shapes= --real ..., and the full run is --sizes 3000,10020,29700,100800,300000,1000000 --distances 0.01,0.003 --real lung,body,vetebrae
 --evaluate 1000000 --surface.
+
+Where the direct solver is run, a line tells how Automatic's choice compares with the faster of both; --check fails where that is more
+than 1.5 times, or a real set misses a constraint by more than 1e-4 of the largest value.
 
 Generated shapes have values 0, +1, -1 at a point of the surface and d inside and outside of it in its slice's plane:
 ball       r = R (1 + 0.12 R sin(3t + 2z) + 0.05 R cos(5t - 4z)), R = sqrt(1 - z^2), on parallel slices
@@ -26,6 +29,8 @@ import numpy
 HERE = os.path.dirname(os.path.abspath(__file__))
 SHARED = os.environ.get("CONTOUR_SHARED_DATA", os.path.join(os.environ["CONTOUR_SOURCE_DIR"], "..", "shared", "data"))
 FOLDER = os.path.join(os.environ["CONTOUR_BIN_DIR"], "..", "bench-ism")
+WORST_CHOICE = 1.5
+MISFIT_OF_REAL = 1e-4
 DENSE_LIMIT = 10100  # above, a dense solver takes minutes and gigabytes
 
 
@@ -130,7 +135,7 @@ def run(command, threads, limit):
 
 class Bench:
     def __init__(self, options):
-        self.options, self.rows = options, []
+        self.options, self.rows, self.faults = options, [], []
 
     def add(self, label, scale, solver, threads, command):
         row = run(command, threads, self.options.limit)
@@ -167,10 +172,24 @@ class Bench:
                 self.add(label, scale, "scipy", 2, rival + ["scipy"])
         for threads in (1, 2):
             self.add(label, scale, "iterative", threads, ours + ["--solver", "iterative", "--threads", str(threads)] + extra)
-        self.add(label, scale, "automatic", 2, ours + ["--threads", "2"]) if n <= DENSE_LIMIT else None
+        if n <= DENSE_LIMIT:
+            self.add(label, scale, "automatic", 2, ours + ["--threads", "2"])
+            self.judge_choice(label, n)
         if rival:
             self.add(label, scale, "ferreus", 2, rival + ["ferreus", str(1e-5 * scale), str(self.options.evaluate), str(cell)])
         os.remove(file)
+
+
+    def judge_choice(self, label, n):
+        """Automatic takes one of both: judged by that one's own time, so that noise between two runs of it does not count."""
+        mine = {r["solver"]: r for r in self.rows[-6:] if r["set"] == label and r["threads"] == 2 and "fit_cpu" in r}
+        if not {"direct", "iterative", "automatic"} <= mine.keys():
+            return
+        chosen = "iterative" if mine["automatic"]["iterations"] else "direct"
+        ratio = mine[chosen]["fit_cpu"] / min(mine["direct"]["fit_cpu"], mine["iterative"]["fit_cpu"])
+        print(f"{label:22s} {n:8d} automatic is {chosen}: {ratio:.2f} of the faster one", flush=True)
+        if ratio > WORST_CHOICE:
+            self.faults.append(f"{label} {n}: automatic takes {ratio:.2f} of the faster solver's time")
 
 
 def plot(rows, file):
@@ -216,6 +235,7 @@ def main():
     parser.add_argument("--limit", type=float, default=1800)
     parser.add_argument("--json")
     parser.add_argument("--plot")
+    parser.add_argument("--check", action="store_true")
     options = parser.parse_args()
     os.makedirs(FOLDER, exist_ok=True)
     bench = Bench(options)
@@ -229,11 +249,17 @@ def main():
         constraints = real(name)
         if constraints is not None:
             bench.measure(name, constraints)
+            bench.faults += [f"{name}: misfit {r['misfit']:.1e} of the largest value" for r in bench.rows
+                             if r["set"] == name and r["solver"] == "iterative" and not r.get("misfit", 1) <= MISFIT_OF_REAL]
     if options.json:
         with open(options.json, "w", encoding="utf-8") as file:
             json.dump(bench.rows, file, indent=1)
     if options.plot:
         plot(bench.rows, options.plot)
+    for fault in bench.faults:
+        print("FAULT", fault)
+    if options.check and bench.faults:
+        sys.exit(1)
 
 
 main()

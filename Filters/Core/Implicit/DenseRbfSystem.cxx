@@ -19,7 +19,7 @@ using Index = Eigen::Index;
 constexpr int ColumnsPerPiece = 64;
 constexpr int ColumnsPerStep = 384;
 /// Multiplications and additions between two looks at whether to stop: a fraction of a second.
-constexpr double OperationsPerLook = 1e10;
+constexpr double OperationsPerLook = 6e9;
 
 int PiecesOf(Index columns, int perPiece)
 {

@@ -28,9 +28,7 @@ constexpr double SuspiciousMisfit = 1e-4;
 constexpr double FlatRatio = 1e-7;
 /// Tolerance where none is given, as a part of half the values' range.
 constexpr double DefaultTolerance = 1e-5;
-/// Up to here the direct solver is the faster one (measured, see ./run bench ism) ...
-constexpr std::size_t DirectIsFaster = 3000;
-/// ... and up to here it is worth its time where the iterative one does not get there.
+/// Up to here the direct solver is worth its time where the iterative one does not get there.
 constexpr std::size_t DirectIsBearable = 12000;
 /// Part of the free memory that a fit may take.
 constexpr double MemoryShare = 0.8;
@@ -220,6 +218,20 @@ double GigabytesOf(FunctionOptions::SolverType solver, std::size_t constraints)
     default:
       return ProjectedGigabytes(constraints);
   }
+}
+
+/**
+ * Processor seconds of a fit. Least squares, by eye, through what ./run bench ism measures for the
+ * three shapes at 1 000 to 12 000 constraints on a core of 3.7 GHz; within a fifth from 2 000 on.
+ * Direct: n^3 of the factorisation, n^2 of the matrix. Iterative: n of the preconditioner, n^2 of
+ * some twelve products by exact sums. Both gain 1.7 to 1.8 times by a second thread, and faster
+ * cores serve both, so that they are about equal at 2 600 constraints anywhere.
+ */
+double SecondsOf(FunctionOptions::SolverType solver, std::size_t constraints)
+{
+  const double n = static_cast<double>(constraints);
+  return solver == FunctionOptions::Iterative ? 0.02 + n * (5.3e-5 + n * 8.2e-9)
+                                              : n * n * (1.2e-8 + n * 7e-12);
 }
 
 void CheckMemory(
@@ -492,7 +504,8 @@ FunctionOptions::SolverType ChooseSolver(std::size_t constraints, const Function
   {
     return options.Solver;
   }
-  const bool direct = constraints <= DirectIsFaster &&
+  const bool direct = SecondsOf(FunctionOptions::Direct, constraints) <=
+      SecondsOf(FunctionOptions::Iterative, constraints) &&
     GigabytesOf(FunctionOptions::Direct, constraints) <= AllowedGigabytes(options);
   return direct ? FunctionOptions::Direct : FunctionOptions::Iterative;
 }
