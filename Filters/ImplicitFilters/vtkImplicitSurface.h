@@ -10,7 +10,7 @@
  * Output: triangles in the coordinates of the input, closed, manifold, oriented outward, without
  * slivers, with point `Normals`; field data `Residual`, `MarginDistance`, `CellSize`, `LeastAngle`
  * (degrees), `ConstraintCount` and `Report` (of all stages). Without Bounds, contours parallel to a
- * coordinate plane end half a slice beyond the last ones.
+ * coordinate plane end at most 0.4 of a slice beyond the last ones.
  *
  * Errors (a sentence through vtkErrorMacro, and no output): no usable contour; all contours on one
  * plane; options of no sense; a system too large; a CellSize that would take too many cells.
@@ -89,8 +89,9 @@ public:
 
   ///@{
   /**
-   * InPlane: margins in the contours' planes (thesis). Refined, the default: a first fit tells the
-   * normals, and margins stand along them where that is safe.
+   * InPlane: margins in the contours' planes (thesis). Refined, the default: a first fit tells how
+   * oblique the surface is to the planes, and margins are turned, or valued, by that, or reach across
+   * steps, whichever predicts left-out slices best (ContourFit.h).
    */
   vtkSetClampMacro(Normals, int, InPlane, Refined);
   vtkGetMacro(Normals, int);

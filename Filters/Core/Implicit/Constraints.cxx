@@ -225,15 +225,6 @@ public:
     }
   }
 
-  /// Only parallel levels lie next to one another.
-  static bool Apply(const ContourSet& contours)
-  {
-    const Vector3& normal = contours.Levels.front().Frame.Normal;
-    return std::all_of(contours.Levels.begin(), contours.Levels.end(),
-      [&normal](const Level& level)
-      { return Norm(Cross(level.Frame.Normal, normal)) < ParallelSine; });
-  }
-
   void Reach(int vertex, VertexMargins& m) const
   {
     this->Reach(vertex, m, PlanarEdges::Inside, m.Inner, m.InnerDistance, m.InnerValue);
@@ -342,7 +333,7 @@ private:
 void ReachAcrossSteps(
   const ContourSet& contours, std::vector<VertexMargins>& margins, Monitor& monitor)
 {
-  if (!StepMargins::Apply(contours))
+  if (!AllLevelsParallel(contours))
   {
     return;
   }
@@ -615,6 +606,14 @@ void CheckPositive(double value, const char* name, const char* meaningOfZero)
       std::string(name) + " must be positive, or 0 " + meaningOfZero + ", and a finite number.");
   }
 }
+}
+
+bool AllLevelsParallel(const ContourSet& contours)
+{
+  return std::all_of(contours.Levels.begin(), contours.Levels.end(),
+    [&contours](const Level& level) {
+      return Norm(Cross(level.Frame.Normal, contours.Levels.front().Frame.Normal)) < ParallelSine;
+    });
 }
 
 void CheckConstraintInput(const ContourSet& contours, const ConstraintOptions& options)

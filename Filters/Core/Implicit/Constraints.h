@@ -94,6 +94,10 @@ struct ConstraintSet
 ConstraintSet BuildInPlaneConstraints(
   const ContourSet& contours, const ConstraintOptions& options, Monitor& monitor);
 
+/// Are all planes parallel, so that levels lie next to one another and margins can reach across
+/// steps?
+bool AllLevelsParallel(const ContourSet& contours);
+
 /// The d that options ask for on these contours.
 double ChooseMarginDistance(const ContourSet& contours, const ConstraintOptions& options);
 

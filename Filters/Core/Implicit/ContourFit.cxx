@@ -3,42 +3,22 @@
 
 #include "ContourResampling.h"
 #include "ContourTips.h"
-#include "RefinedMargins.h"
+#include "LeftOutSlices.h"
+#include "MarginFit.h"
 #include "SubMonitor.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace recon
 {
 namespace
 {
-/// Every how manieth level is left out in turn, how many levels that takes at least, and up to how
-/// many constraints all turns are taken instead of one.
-constexpr int LeaveOutEvery = 3;
-constexpr std::size_t LeastLevelsToJudge = 6;
-constexpr std::size_t MostConstraintsToJudgeTwice = 12000;
-/// Refining must be nearer at this part of the left-out vertices. A vote, not a mean: where nothing
-/// predicts the surface, at branchings, both miss by anything.
-constexpr double Majority = 0.5;
-/// Differences below this part of the gap between the contours decide nothing.
-constexpr double TieOfGap = 0.01;
 /// What ThinOut's spacing is worth, as a part of the gap between the contours: denser points cost
 /// more and told little more on the sets tried. Up to the whole gap where there are more points
 /// than are needed for that.
 constexpr double LeastSpacingPerGap = 0.25;
 constexpr double SpacingGrowth = 1.25;
 constexpr std::size_t EnoughPoints = 3000;
-/// Fits with margins taken back, at most; then the rest stays as it is.
-constexpr int MaximumTakeBacks = 3;
-
-/// Margins of a set of contours with the first and the second fit.
-struct Refinement
-{
-  RefinedMargins Margins;
-  ImplicitFunction First;
-  ImplicitFunction Second;
-};
 
 ConstraintOptions DistanceOptions(const ConstraintOptions& options)
 {
@@ -47,146 +27,10 @@ ConstraintOptions DistanceOptions(const ConstraintOptions& options)
   return first;
 }
 
-ImplicitFunction Fit(const ConstraintSet& set, const FunctionOptions& options, Monitor& monitor)
+std::string Words(const SliceVotes& votes)
 {
-  return FitImplicitFunction(set.Points, set.Values, options, monitor);
-}
-
-/// The first fit, of in-plane margins but at tips.
-Refinement FitOnce(const ContourSet& contours, const ConstraintSet& inPlane, bool unit,
-  const FunctionOptions& functionOptions, Monitor& monitor)
-{
-  Refinement refinement{ RefinedMargins(contours, inPlane, unit), {}, {} };
-  refinement.First = Fit(refinement.Margins.Constraints(), functionOptions, monitor);
-  return refinement;
-}
-
-/// @param normals a fit that tells the normals: the first, or a better one
-void FitAgain(Refinement& refinement, const ImplicitFunction& normals,
-  const FunctionOptions& functionOptions, Monitor& monitor)
-{
-  RefinedMargins& margins = refinement.Margins;
-  margins.Turn(normals, functionOptions.Threads);
-  for (int fit = 0; fit <= MaximumTakeBacks; ++fit)
-  {
-    const double all = 1 + MaximumTakeBacks;
-    SubMonitor fitting(monitor, fit / all, (fit + 1) / all);
-    refinement.Second = Fit(margins.Constraints(), functionOptions, fitting);
-    if (fit == MaximumTakeBacks ||
-      margins.TakeBack(refinement.Second, functionOptions.Threads) == 0)
-    {
-      return;
-    }
-  }
-}
-
-/// The levels that are, or are not, left out in a turn. Points keep their numbers.
-ContourSet Part(const ContourSet& contours, int turn, bool leftOut)
-{
-  ContourSet part = contours;
-  part.Levels.clear();
-  part.Contours.clear();
-  for (std::size_t l = 0; l < contours.Levels.size(); ++l)
-  {
-    // The first and the last level stay: beyond them nothing can be predicted.
-    const bool isLeftOut =
-      static_cast<int>(l % LeaveOutEvery) == turn && l > 0 && l + 1 < contours.Levels.size();
-    if (isLeftOut != leftOut)
-    {
-      continue;
-    }
-    Level level = contours.Levels[l];
-    for (int& c : level.Contours)
-    {
-      Contour contour = contours.Contours[c];
-      contour.Level = static_cast<int>(part.Levels.size());
-      contour.Parent = -1;
-      c = static_cast<int>(part.Contours.size());
-      part.Contours.push_back(contour);
-    }
-    part.Levels.push_back(level);
-  }
-  return part;
-}
-
-/// Distance, to first order, of the contours' vertices from the function's surface.
-std::vector<double> Misses(
-  const ImplicitFunction& function, const ContourSet& contours, int threads)
-{
-  std::vector<Point3> points;
-  for (const Contour& contour : contours.Contours)
-  {
-    for (const int p : contour.Points)
-    {
-      points.push_back(contours.Points[p]);
-    }
-  }
-  const std::vector<double> f = function.Evaluate(points, threads);
-  const std::vector<Vector3> g = function.EvaluateGradients(points, threads);
-  std::vector<double> misses;
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    misses.push_back(std::abs(f[i]) / Norm(g[i]));
-  }
-  return misses;
-}
-
-struct Votes
-{
-  std::size_t Better = 0; ///< vertices that refining predicts better
-  std::size_t All = 0;    ///< that either predicts better
-
-  bool Pass() const
-  {
-    return static_cast<double>(this->Better) >= Majority * static_cast<double>(this->All);
-  }
-};
-
-/// Which of one fit and two fits is nearer to the vertices of levels that neither has seen?
-void Vote(const ContourSet& contours, int turn, const ConstraintOptions& constraintOptions,
-  const FunctionOptions& functionOptions, Monitor& monitor, Votes& votes)
-{
-  const ContourSet seen = Part(contours, turn, false);
-  const ContourSet unseen = Part(contours, turn, true);
-  if (unseen.Contours.empty())
-  {
-    return;
-  }
-  const ConstraintSet inPlane = BuildInPlaneConstraints(seen, constraintOptions, monitor);
-  SubMonitor fitting(monitor, 0, 0.4);
-  Refinement refinement = FitOnce(seen, inPlane, false, functionOptions, fitting);
-  SubMonitor refining(monitor, 0.4, 1);
-  FitAgain(refinement, refinement.First, functionOptions, refining);
-  const double tie = TieOfGap * TypicalGap(contours);
-  const std::vector<double> once = Misses(refinement.First, unseen, functionOptions.Threads);
-  const std::vector<double> twice = Misses(refinement.Second, unseen, functionOptions.Threads);
-  for (std::size_t i = 0; i < once.size(); ++i)
-  {
-    // Vertices that both predict as well abstain.
-    votes.Better += twice[i] < once[i] - tie ? 1 : 0;
-    votes.All += std::abs(twice[i] - once[i]) > tie ? 1 : 0;
-  }
-}
-
-Votes VoteAll(const ContourSet& contours, const ConstraintOptions& constraintOptions,
-  const FunctionOptions& functionOptions, Monitor& monitor)
-{
-  Votes votes;
-  if (contours.Levels.size() < LeastLevelsToJudge)
-  {
-    return votes;
-  }
-  ConstraintOptions options = DistanceOptions(constraintOptions);
-  // What is judged is the set as it will be fitted, so with the margins of the whole.
-  options.MarginDistance = ChooseMarginDistance(contours, constraintOptions);
-  const int turns = 3 * contours.Points.size() > MostConstraintsToJudgeTwice ? 1 : LeaveOutEvery;
-  for (int turn = 0; turn < turns; ++turn)
-  {
-    SubMonitor voting(
-      monitor, static_cast<double>(turn) / turns, static_cast<double>(turn + 1) / turns);
-    Vote(contours, (turn + 1) % LeaveOutEvery, options, functionOptions, voting, votes);
-  }
-  return votes;
+  return std::to_string(votes.All - votes.Better) + " of " + std::to_string(votes.All) +
+    " contour points where their slice is left out.";
 }
 
 void ReportRefinement(const RefinedMargins& margins, ConstraintSet& set)
@@ -201,45 +45,138 @@ void ReportRefinement(const RefinedMargins& margins, ConstraintSet& set)
   }
 }
 
-/// Constraints and function of a fit that is refined where that is safe.
-void FitRefined(ContourFit& fit, const ConstraintOptions& constraintOptions,
-  const FunctionOptions& functionOptions, Monitor& monitor)
+/// Constraints and function of contours whose margins are refined where that is safe.
+class RefinedFit
 {
-  const bool unit = constraintOptions.Values == ConstraintOptions::Unit;
-  SubMonitor fitting(monitor, 0, 0.2);
-  Refinement refinement = FitOnce(fit.Contours, fit.Constraints, unit, functionOptions, fitting);
-  if (refinement.Margins.TipVertices() > 0)
+public:
+  RefinedFit(ContourFit& fit, const ConstraintOptions& constraintOptions,
+    const FunctionOptions& functionOptions)
+    : Result(fit),
+      Constraints(constraintOptions),
+      Function(functionOptions),
+      Unit(constraintOptions.Values == ConstraintOptions::Unit)
   {
-    refinement.First.Report.push_back(std::to_string(refinement.Margins.TipVertices()) +
-      " points of contours that only touch the end of the solid have margins upright on their "
-      "plane.");
   }
-  fit.Constraints = refinement.Margins.Constraints();
-  fit.Function = refinement.First;
-  SubMonitor judging(monitor, 0.2, 0.6);
-  const Votes votes = VoteAll(fit.Contours, constraintOptions, functionOptions, judging);
-  if (!votes.Pass())
+
+  void Run(Monitor& monitor)
   {
-    fit.Constraints.Report.push_back(
-      "Margins stay in the contours' planes: refined, the surface would be farther from " +
-      std::to_string(votes.All - votes.Better) + " of " + std::to_string(votes.All) +
+    SubMonitor fitting(monitor, 0, 0.15);
+    MarginFit first(
+      this->Result.Contours, this->Result.Constraints, this->Unit, this->Function, fitting);
+    this->Take(first);
+    if (first.Margins().TipVertices() > 0)
+    {
+      this->Result.Constraints.Report.push_back(std::to_string(first.Margins().TipVertices()) +
+        " points of contours that only touch the end of the solid have margins upright on their "
+        "plane.");
+    }
+    SubMonitor refining(monitor, 0.15, 1);
+    if (this->Result.Contours.Levels.size() >= LeftOutSlices::LeastLevels)
+    {
+      this->RefineAsSlicesSay(first, refining);
+    }
+    else if (!AllLevelsParallel(this->Result.Contours))
+    {
+      this->Refine(first, 1, refining);
+    }
+    else if (!this->Unit)
+    {
+      this->Refine(first, 0, refining);
+    }
+  }
+
+private:
+  void RefineAsSlicesSay(MarginFit& first, Monitor& monitor)
+  {
+    SubMonitor preparing(monitor, 0, 0.15);
+    const LeftOutSlices slices(
+      this->Result.Contours, this->Constraints, this->Function, preparing);
+    SubMonitor judging(monitor, 0.15, 0.5);
+    const SliceVotes turned = slices.Judge(MarginWay::Turned, judging);
+    SubMonitor refining(monitor, 0.5, 1);
+    if (turned.Pass())
+    {
+      this->Refine(first, this->Unit ? 1 : TurnedPart, refining);
+      return;
+    }
+    std::vector<std::string>& report = this->Result.Constraints.Report;
+    report.push_back(
+      "Margins stay in the contours' planes: turned along the surface's normals, it would be "
+      "farther from " +
+      Words(turned));
+    if (this->Unit)
+    {
+      return;
+    }
+    SubMonitor valuing(refining, 0, 0.4);
+    if (slices.Judge(MarginWay::Valued, valuing).Pass())
+    {
+      report.push_back("Their values tell how oblique the surface is to the planes.");
+      SubMonitor fitting(refining, 0.4, 1);
+      this->Refine(first, 0, fitting);
+      return;
+    }
+    SubMonitor reaching(refining, 0.4, 1);
+    this->ReachIfSlicesSay(slices, reaching);
+  }
+
+  void ReachIfSlicesSay(const LeftOutSlices& slices, Monitor& monitor)
+  {
+    if (this->Constraints.ReachAcrossSteps || !AllLevelsParallel(this->Result.Contours))
+    {
+      return;
+    }
+    SubMonitor judging(monitor, 0, 0.5);
+    const SliceVotes votes = slices.Judge(MarginWay::Reaching, judging);
+    if (votes.All == 0 || !votes.Pass())
+    {
+      return;
+    }
+    ConstraintOptions options = this->Constraints;
+    options.ReachAcrossSteps = true;
+    SubMonitor fitting(monitor, 0.5, 1);
+    const ConstraintSet reaching =
+      BuildInPlaneConstraints(this->Result.Contours, options, fitting);
+    this->Take(MarginFit(this->Result.Contours, reaching, false, this->Function, fitting));
+    this->Result.Constraints.Report.push_back(
+      "Margins reach across steps, where the next slice says otherwise of a place: that is nearer "
+      "to " +
+      std::to_string(votes.Better) + " of " + std::to_string(votes.All) +
       " contour points where their slice is left out.");
-    return;
   }
-  SubMonitor refining(monitor, 0.6, 1);
-  ImplicitFunction normals = refinement.First;
-  if (unit)
+
+  void Refine(MarginFit& fit, double part, Monitor& monitor)
   {
-    // Distances tell the normals better than +1 and -1 do.
-    const ConstraintSet distances =
-      BuildInPlaneConstraints(fit.Contours, DistanceOptions(constraintOptions), refining);
-    normals = FitOnce(fit.Contours, distances, false, functionOptions, refining).First;
+    ImplicitFunction normals = fit.Function();
+    if (this->Unit)
+    {
+      // Distances tell the normals better than +1 and -1 do.
+      const ConstraintSet distances = BuildInPlaneConstraints(
+        this->Result.Contours, DistanceOptions(this->Constraints), monitor);
+      normals =
+        MarginFit(this->Result.Contours, distances, false, this->Function, monitor).Function();
+    }
+    fit.Refine(normals, part, monitor);
+    this->Take(fit);
+    ReportRefinement(fit.Margins(), this->Result.Constraints);
   }
-  FitAgain(refinement, normals, functionOptions, refining);
-  fit.Constraints = refinement.Margins.Constraints();
-  ReportRefinement(refinement.Margins, fit.Constraints);
-  fit.Function = std::move(refinement.Second);
-}
+
+  /// Makes a fit the result; sentences that were said stay.
+  void Take(const MarginFit& fit)
+  {
+    std::vector<std::string> report = std::move(this->Result.Constraints.Report);
+    this->Result.Constraints = fit.Constraints();
+    const std::vector<std::string>& more = this->Result.Constraints.Report;
+    report.insert(report.end(), more.begin(), more.end());
+    this->Result.Constraints.Report = std::move(report);
+    this->Result.Function = fit.Function();
+  }
+
+  ContourFit& Result;
+  const ConstraintOptions& Constraints;
+  const FunctionOptions& Function;
+  const bool Unit;
+};
 
 /// Points as dense as the gap is worth; with many points less dense, for a fit in seconds, but not
 /// beyond the gap.
@@ -290,11 +227,12 @@ ContourFit FitContours(const ContourSet& contours, const ConstraintOptions& cons
   if (constraintOptions.Normals == ConstraintOptions::Refined &&
     constraintOptions.Mode == ConstraintOptions::Margins)
   {
-    FitRefined(fit, constraintOptions, functionOptions, fitting);
+    RefinedFit(fit, constraintOptions, functionOptions).Run(fitting);
   }
   else
   {
-    fit.Function = Fit(fit.Constraints, functionOptions, fitting);
+    fit.Function = FitImplicitFunction(
+      fit.Constraints.Points, fit.Constraints.Values, functionOptions, fitting);
   }
   return fit;
 }
