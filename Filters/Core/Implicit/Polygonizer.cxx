@@ -28,14 +28,16 @@ constexpr double CoarseCells = 1.0 / 50;
 constexpr double CoarseTolerance = 0.02;
 /// A clean-up that leaves a smaller angle (degrees) says so.
 constexpr double PromisedAngle = 1;
-/// Where CellSize is to be chosen and cells miss walls or gaps that seeds are on, cells become
-/// smaller by this factor, up to this many times: half as large in the end, for four times the
-/// triangles.
+/// Where CellSize is to be chosen and cells miss walls or gaps that contours are on, cells smaller by
+/// this factor are tried, for twice the triangles. They are kept where they leave at most so many of
+/// the points missed.
 constexpr double FinerCells = 0.7;
-constexpr int MostFinerSteps = 2;
+constexpr double WorthTheirPrice = 0.5;
 /// Walls and gaps thinner than this part of a cell are not worth smaller cells: those would not
 /// find them either.
-constexpr double WorthFinding = 0.4;
+constexpr double WorthFinding = 0.5;
+/// A function that is off by more than this part of a cell at a point passes it by.
+constexpr double PassedBy = 0.25;
 /// Steps to a cell in which a wall or gap is measured.
 constexpr int ThicknessSteps = 16;
 
@@ -292,7 +294,7 @@ std::vector<Point3> PointsMissed(const BoundedField& field, const TriangleMesh& 
   std::vector<Point3> missed;
   for (std::size_t i = 0; i < far.size(); ++i)
   {
-    if (std::abs(values[i]) < 0.5 * cellSize * Norm(gradients[i]))
+    if (std::abs(values[i]) < PassedBy * cellSize * Norm(gradients[i]))
     {
       missed.push_back(far[i]);
     }
@@ -300,7 +302,7 @@ std::vector<Point3> PointsMissed(const BoundedField& field, const TriangleMesh& 
   return missed;
 }
 
-/// Is a point on a wall, or at a gap, that cells of half the size can find? The way to the other
+/// Is a point on a wall, or at a gap, that smaller cells can find? The way to the other
 /// side is measured along the normal.
 bool AnyWorthFinding(
   const BoundedField& field, const std::vector<Point3>& points, double cellSize)
@@ -334,39 +336,41 @@ bool AnyWorthFinding(
 }
 
 /**
- * Tracks the surface, where CellSize is to be chosen with smaller cells until every seed and witness
- * is within a cell of it: between two sheets of the surface that are nearer than a cell there may be no
- * corner, and then neither is found.
+ * Tracks the surface, where CellSize is to be chosen with smaller cells where seeds or witnesses are
+ * more than a cell away from it: between two sheets of the surface that are nearer than a cell there
+ * may be no corner, and then neither is found.
  */
-void TrackUntilFound(const BoundedField& field, const std::vector<Point3>& seeds,
+void TrackAndFind(const BoundedField& field, const std::vector<Point3>& seeds,
   const PolygonizerOptions& options, ImplicitMesh& result, Monitor& monitor)
 {
   std::vector<Point3> all = seeds;
   all.insert(all.end(), options.Witnesses.begin(), options.Witnesses.end());
-  double from = 0;
-  for (int step = 0;; ++step)
+  SubMonitor tracking(monitor, 0, 0.3);
+  result.Mesh = Track(field, seeds, result.CellSize, options, tracking);
+  std::vector<Point3> missed = PointsMissed(field, result.Mesh, all, result.CellSize);
+  const double finer = FinerCells * result.CellSize;
+  const double finerTriangles =
+    static_cast<double>(result.Mesh.Triangles.size()) / (FinerCells * FinerCells);
+  if (!missed.empty() && options.CellSize == 0 && finerTriangles < options.MaximumCells &&
+    AnyWorthFinding(field, missed, result.CellSize))
   {
-    const double to = step == MostFinerSteps || options.CellSize > 0 ? 0.6 : from + 0.3;
-    SubMonitor tracking(monitor, std::min(from, 0.6), std::min(to, 0.6));
-    from = to;
-    result.Mesh = Track(field, seeds, result.CellSize, options, tracking);
-    const std::vector<Point3> missed = PointsMissed(field, result.Mesh, all, result.CellSize);
-    const double finerTriangles =
-      static_cast<double>(result.Mesh.Triangles.size()) / (FinerCells * FinerCells);
-    if (!missed.empty() && options.CellSize == 0 && step < MostFinerSteps &&
-      finerTriangles < options.MaximumCells && AnyWorthFinding(field, missed, result.CellSize))
+    SubMonitor again(monitor, 0.3, 0.6);
+    TriangleMesh mesh = Track(field, seeds, finer, options, again);
+    std::vector<Point3> stillMissed = PointsMissed(field, mesh, all, finer);
+    if (static_cast<double>(stillMissed.size()) <=
+      WorthTheirPrice * static_cast<double>(missed.size()))
     {
-      result.CellSize *= FinerCells;
-      continue;
+      result.Mesh = std::move(mesh);
+      result.CellSize = finer;
+      missed = std::move(stillMissed);
     }
-    if (!missed.empty())
-    {
-      result.Report.push_back(std::to_string(missed.size()) +
-        " points of contours are more than a cell of " + Text(result.CellSize) +
-        " away from the surface, as the shape, or a gap in it, is thinner than that there: choose a "
-        "smaller CellSize.");
-    }
-    return;
+  }
+  if (!missed.empty())
+  {
+    result.Report.push_back(std::to_string(missed.size()) +
+      " points of contours are more than a cell of " + Text(result.CellSize) +
+      " away from the surface, as the shape, or a gap in it, is thinner than that there: choose a "
+      "smaller CellSize.");
   }
 }
 
@@ -564,7 +568,7 @@ ImplicitMesh Polygonize(const ImplicitFunction& function, const std::vector<Poin
   const PolygonizerOptions options = WithDetail(asked, result);
 
   const BoundedField field(function, box, options.ClosedAtBounds, options.Threads, monitor);
-  TrackUntilFound(field, seeds, options, result, monitor);
+  TrackAndFind(field, seeds, options, result, monitor);
   result.Normals = OutwardNormals(field, result.Mesh.Points);
   if (options.CleanUp)
   {
