@@ -11,9 +11,9 @@ namespace recon
 {
 namespace
 {
-/// Contour points of previews: what a fit and a surface take a second, and some seconds, for.
+/// Contour points of previews: what is solved for directly in a fraction of a second.
 constexpr std::size_t CoarsePoints = 700;
-constexpr std::size_t MediumPoints = 2000;
+constexpr std::size_t MediumPoints = 1000;
 /// The solid ends so far beyond the outermost level, in parts of the gap between levels, where
 /// nothing tells more. Half a gap is the mean where slices begin anywhere; sets of real slices were
 /// nearer to the truth with less, as long as ends that are round have room (hand_ok, whose wrist is

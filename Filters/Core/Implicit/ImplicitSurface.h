@@ -29,8 +29,8 @@ struct ImplicitSurface
 /**
  * Constraints, function and polygonizer in one call with one progress bar.
  *
- * With Polygonizer.Detail below Full the function, too, is that of a preview: through some hundred
- * or some thousand of the contours' points, those that show in such cells, fitted once, with
+ * With Polygonizer.Detail below Full the function, too, is that of a preview: through 700 or 1 000
+ * of the contours' points (or a few more), those that show in such cells, fitted once, with
  * margins in the contours' planes.
  *
  * Where no bounds are given, the solid ends at the latest 0.4 of the levels' distance beyond the
