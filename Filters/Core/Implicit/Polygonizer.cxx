@@ -2,6 +2,7 @@
 #include "Polygonizer.h"
 
 #include "../Mesh/TriangleTree.h"
+#include "../Parallel.h"
 #include "EdgeRoots.h"
 #include "MeshCleanUp.h"
 #include "NumberText.h"
@@ -164,6 +165,7 @@ class Marcher
 public:
   explicit Marcher(const SurfaceTracker& tracker) : Tracker(tracker)
   {
+    this->Index.reserve(EdgesPerCube * tracker.Cubes().size());
     for (const LatticeIndex& cube : tracker.Cubes())
     {
       this->March(cube);
@@ -210,26 +212,49 @@ private:
     return place->second;
   }
 
+  /// Cut edges a cube, about: room is made for them at once.
+  static constexpr std::size_t EdgesPerCube = 4;
+
   const SurfaceTracker& Tracker;
   std::vector<LatticeEdge> CutEdges;
   std::vector<std::array<int, 3>> Cut;
   std::unordered_map<std::uint64_t, int, LatticeHash> Index;
 };
 
-std::vector<CrossedEdge> CrossedEdgesOf(const Marcher& marcher, const SurfaceTracker& tracker)
+/// body(i) for all items, in pieces that threads share.
+template <typename Body>
+void ForAll(std::size_t items, int threads, const Body& body, Monitor& monitor)
 {
-  std::vector<CrossedEdge> crossed;
-  crossed.reserve(marcher.Edges().size());
-  for (const LatticeEdge& edge : marcher.Edges())
+  constexpr std::size_t ItemsPerPiece = 4096;
+  AbortMonitor stop(monitor);
+  const auto run = [&](int piece)
   {
+    const std::size_t from = static_cast<std::size_t>(piece) * ItemsPerPiece;
+    for (std::size_t i = from; i < std::min(items, from + ItemsPerPiece); ++i)
+    {
+      body(i);
+    }
+  };
+  ParallelFor(static_cast<int>((items + ItemsPerPiece - 1) / ItemsPerPiece), threads, run, stop,
+    { 0, 1, "finding the surface's points" });
+}
+
+std::vector<CrossedEdge> CrossedEdgesOf(
+  const Marcher& marcher, const SurfaceTracker& tracker, int threads, Monitor& monitor)
+{
+  std::vector<CrossedEdge> crossed(marcher.Edges().size());
+  const auto cross = [&](std::size_t i)
+  {
+    const LatticeEdge& edge = marcher.Edges()[i];
     const LatticeIndex far = edge.Far();
     const double near = tracker.ValueAt(edge.Corner);
     const double other = tracker.ValueAt(far);
     const Point3 nearPlace = tracker.Grid().At(edge.Corner);
     const Point3 farPlace = tracker.Grid().At(far);
-    crossed.push_back(near > 0 ? CrossedEdge{ nearPlace, farPlace, near, other }
-                               : CrossedEdge{ farPlace, nearPlace, other, near });
-  }
+    crossed[i] = near > 0 ? CrossedEdge{ nearPlace, farPlace, near, other }
+                          : CrossedEdge{ farPlace, nearPlace, other, near };
+  };
+  ForAll(crossed.size(), threads, cross, monitor);
   return crossed;
 }
 
@@ -256,8 +281,8 @@ TriangleMesh Track(const BoundedField& field, const std::vector<Point3>& seeds, 
   Marcher marcher(tracker);
   SubMonitor rooting(monitor, 0.5, 1);
   TriangleMesh mesh;
-  mesh.Points =
-    FindRoots(field, CrossedEdgesOf(marcher, tracker), options.Tolerance * cellSize, rooting);
+  mesh.Points = FindRoots(field, CrossedEdgesOf(marcher, tracker, options.Threads, monitor),
+    options.Tolerance * cellSize, rooting);
   mesh.Triangles = std::move(marcher.Triangles());
   return mesh;
 }
@@ -276,15 +301,22 @@ bool IsWithin(const Point3& p, const Bounds& box)
 
 /// Points within the bounds that the function's surface passes by, but no triangle within a cell.
 std::vector<Point3> PointsMissed(const BoundedField& field, const TriangleMesh& mesh,
-  const std::vector<Point3>& points, double cellSize)
+  const std::vector<Point3>& points, double cellSize, int threads, Monitor& monitor)
 {
   const TriangleTree tree(mesh);
-  std::vector<Point3> far;
-  for (const Point3& p : points)
+  std::vector<char> isFar(points.size(), 0);
+  const auto measure = [&](std::size_t i)
   {
-    if (IsWithin(p, field.Box()) && tree.DistanceTo(p, 2 * cellSize) > cellSize)
+    isFar[i] =
+      IsWithin(points[i], field.Box()) && tree.DistanceTo(points[i], 2 * cellSize) > cellSize ? 1 : 0;
+  };
+  ForAll(points.size(), threads, measure, monitor);
+  std::vector<Point3> far;
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    if (isFar[i])
     {
-      far.push_back(p);
+      far.push_back(points[i]);
     }
   }
   // Smaller cells come no nearer to those that the function itself misses.
@@ -347,7 +379,8 @@ void TrackAndFind(const BoundedField& field, const std::vector<Point3>& seeds,
   all.insert(all.end(), options.Witnesses.begin(), options.Witnesses.end());
   SubMonitor tracking(monitor, 0, 0.3);
   result.Mesh = Track(field, seeds, result.CellSize, options, tracking);
-  std::vector<Point3> missed = PointsMissed(field, result.Mesh, all, result.CellSize);
+  std::vector<Point3> missed =
+    PointsMissed(field, result.Mesh, all, result.CellSize, options.Threads, monitor);
   const double finer = FinerCells * result.CellSize;
   const double finerTriangles =
     static_cast<double>(result.Mesh.Triangles.size()) / (FinerCells * FinerCells);
@@ -356,7 +389,8 @@ void TrackAndFind(const BoundedField& field, const std::vector<Point3>& seeds,
   {
     SubMonitor again(monitor, 0.3, 0.6);
     TriangleMesh mesh = Track(field, seeds, finer, options, again);
-    std::vector<Point3> stillMissed = PointsMissed(field, mesh, all, finer);
+    std::vector<Point3> stillMissed =
+      PointsMissed(field, mesh, all, finer, options.Threads, monitor);
     if (static_cast<double>(stillMissed.size()) <=
       WorthTheirPrice * static_cast<double>(missed.size()))
     {
