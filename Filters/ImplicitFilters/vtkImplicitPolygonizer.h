@@ -36,8 +36,9 @@ public:
   ///@{
   /**
    * How much the surface may cost. Full, the default, does what the other properties say. Medium
-   * makes cells of at least 1/100 of the contours' diagonal, Coarse of 1/50 and leaves the triangles
-   * as the cells cut them. All are closed, manifold and oriented, and Report tells a preview.
+   * makes cells of at least 1/100 of the contours' diagonal, Coarse of 1/50 and leaves the
+   * triangles as the cells cut them. All are closed, manifold and oriented, and Report tells a
+   * preview.
    */
   vtkSetClampMacro(Detail, int, Full, Coarse);
   vtkGetMacro(Detail, int);

@@ -39,12 +39,12 @@ public:
 
   ///@{
   /**
-   * How much the surface may cost. Full, the default, does what the other properties say. Coarse and
-   * Medium are previews while properties are set: some 700 or 1 000 of the contours'
-   * points, margins in the planes, one fit, cells of at least 1/50 or 1/100 of the contours'
-   * diagonal; Coarse leaves the triangles as the cells cut them and takes less than a second, Medium
-   * some seconds. All are closed, manifold and oriented, and Report tells a preview. Normals,
-   * ThinOut, ResampleSpacing, ResampleTolerance and CentreReduction are without effect in previews.
+   * How much the surface may cost. Full, the default, does what the other properties say. Coarse
+   * and Medium are previews while properties are set: some 700 or 1 000 of the contours' points,
+   * margins in the planes, one fit, cells of at least 1/50 or 1/100 of the contours' diagonal;
+   * Coarse leaves the triangles as the cells cut them and takes less than a second, Medium some
+   * seconds. All are closed, manifold and oriented, and Report tells a preview. Normals, ThinOut,
+   * ResampleSpacing, ResampleTolerance and CentreReduction are without effect in previews.
    */
   vtkSetClampMacro(Detail, int, Full, Coarse);
   vtkGetMacro(Detail, int);

@@ -640,9 +640,10 @@ void CheckConstraintInput(const ContourSet& contours, const ConstraintOptions& o
   const double diagonal = Norm(box.High - box.Low);
   if (options.MarginDistance > 0 && options.MarginDistance < LeastMarginDistance * diagonal)
   {
-    throw Error("MarginDistance is less than a millionth of the contours' bounding box, where inside "
-                "and outside cannot be told apart any more: choose about a third of the distance "
-                "between contour points, or 0.");
+    throw Error(
+      "MarginDistance is less than a millionth of the contours' bounding box, where inside "
+      "and outside cannot be told apart any more: choose about a third of the distance "
+      "between contour points, or 0.");
   }
   if (options.MarginDistance > diagonal)
   {

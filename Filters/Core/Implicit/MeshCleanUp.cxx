@@ -495,7 +495,8 @@ private:
   /// Does a triangle keep its direction? A needle has none.
   bool KeepsItself(const Triangle& before, const Triangle& after) const
   {
-    return this->IsNeedle(before) || this->SameWay(this->AreaNormal(before), this->AreaNormal(after));
+    return this->IsNeedle(before) ||
+      this->SameWay(this->AreaNormal(before), this->AreaNormal(after));
   }
 
   bool IsNeedle(const Triangle& t) const { return this->AngleOf(t) < SliverAngle * Pi / 180; }
@@ -571,8 +572,8 @@ private:
       }
       std::replace(moved.begin(), moved.end(), u, v);
       if (!this->Agrees(moved, agreement) ||
-        this->LongestEdge(moved) > std::max(LongEdge * this->EdgeLength,
-                                     LongerAgain * this->LongestEdge(this->T[t])) ||
+        this->LongestEdge(moved) >
+          std::max(LongEdge * this->EdgeLength, LongerAgain * this->LongestEdge(this->T[t])) ||
         (agreement <= OwnAgreement && !this->KeepsItself(this->T[t], moved)))
       {
         return -1;
@@ -779,8 +780,8 @@ struct ShiftedVertices
       {
         const double angle = 2 * Pi * k / ShiftDirections;
         this->Vertices.push_back(v);
-        this->Points.push_back(editor.P[v] +
-          (shift * edgeLength * std::cos(angle)) * u + (shift * edgeLength * std::sin(angle)) * w);
+        this->Points.push_back(editor.P[v] + (shift * edgeLength * std::cos(angle)) * u +
+          (shift * edgeLength * std::sin(angle)) * w);
       }
     }
   }

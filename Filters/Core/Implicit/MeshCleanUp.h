@@ -23,7 +23,7 @@ struct CleanUpOptions
 {
   double EdgeLength = 1; ///< what edges should have (units of the input)
   int Rounds = 3;
-  int Threads = 0; ///< 0 = all of the machine; the result does not depend on it
+  int Threads = 0;             ///< 0 = all of the machine; the result does not depend on it
   std::vector<Point3> Anchors; ///< points of the surface that should become vertices (none = empty)
 };
 

@@ -29,9 +29,9 @@ constexpr double CoarseCells = 1.0 / 50;
 constexpr double CoarseTolerance = 0.02;
 /// A clean-up that leaves a smaller angle (degrees) says so.
 constexpr double PromisedAngle = 1;
-/// Where CellSize is to be chosen and cells miss walls or gaps that contours are on, cells smaller by
-/// this factor are tried, for twice the triangles. They are kept where they leave at most so many of
-/// the points missed.
+/// Where CellSize is to be chosen and cells miss walls or gaps that contours are on, cells smaller
+/// by this factor are tried, for twice the triangles. They are kept where they leave at most so
+/// many of the points missed.
 constexpr double FinerCells = 0.7;
 constexpr double WorthTheirPrice = 0.5;
 /// Walls and gaps thinner than this part of a cell are not worth smaller cells: those would not
@@ -308,7 +308,8 @@ std::vector<Point3> PointsMissed(const BoundedField& field, const TriangleMesh& 
   const auto measure = [&](std::size_t i)
   {
     isFar[i] =
-      IsWithin(points[i], field.Box()) && tree.DistanceTo(points[i], 2 * cellSize) > cellSize ? 1 : 0;
+      IsWithin(points[i], field.Box()) && tree.DistanceTo(points[i], 2 * cellSize) > cellSize ? 1
+                                                                                              : 0;
   };
   ForAll(points.size(), threads, measure, monitor);
   std::vector<Point3> far;
@@ -336,8 +337,7 @@ std::vector<Point3> PointsMissed(const BoundedField& field, const TriangleMesh& 
 
 /// Is a point on a wall, or at a gap, that smaller cells can find? The way to the other
 /// side is measured along the normal.
-bool AnyWorthFinding(
-  const BoundedField& field, const std::vector<Point3>& points, double cellSize)
+bool AnyWorthFinding(const BoundedField& field, const std::vector<Point3>& points, double cellSize)
 {
   const std::vector<Vector3> normals = OutwardNormals(field, points);
   std::vector<Point3> probes;
@@ -368,9 +368,9 @@ bool AnyWorthFinding(
 }
 
 /**
- * Tracks the surface, where CellSize is to be chosen with smaller cells where seeds or witnesses are
- * more than a cell away from it: between two sheets of the surface that are nearer than a cell there
- * may be no corner, and then neither is found.
+ * Tracks the surface, where CellSize is to be chosen with smaller cells where seeds or witnesses
+ * are more than a cell away from it: between two sheets of the surface that are nearer than a cell
+ * there may be no corner, and then neither is found.
  */
 void TrackAndFind(const BoundedField& field, const std::vector<Point3>& seeds,
   const PolygonizerOptions& options, ImplicitMesh& result, Monitor& monitor)

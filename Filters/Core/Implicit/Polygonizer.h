@@ -28,8 +28,8 @@ struct PolygonizerOptions
 
   DetailType Detail = Full;
   /// Edge of a cell in the units of the input. 0 = the median distance between neighbouring seeds,
-  /// but not below 1/160 nor above 1/80 of their bounding box's diagonal; 0.7 of that where seeds or
-  /// Witnesses are on a wall or gap that such cells miss and those find.
+  /// but not below 1/160 nor above 1/80 of their bounding box's diagonal; 0.7 of that where seeds
+  /// or Witnesses are on a wall or gap that such cells miss and those find.
   double CellSize = 0;
   /// Tracking never leaves this box. Not given = that of the seeds, larger by a tenth of its
   /// diagonal.
