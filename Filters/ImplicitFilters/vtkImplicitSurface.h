@@ -109,8 +109,8 @@ public:
   ///@{
   /**
    * Let margins reach as far as the next slice, where that says otherwise of the place: for few
-   * slices of a shape with flat ends or steps. Parallel planes and Values Distance only. Default:
-   * off.
+   * slices of a shape with flat ends or steps. Parallel planes and Values Distance only. Off, the
+   * default: only where normals are Refined and left-out slices say that it is nearer to them.
    */
   vtkSetMacro(ReachAcrossSteps, bool);
   vtkGetMacro(ReachAcrossSteps, bool);

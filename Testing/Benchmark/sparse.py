@@ -26,33 +26,17 @@ import subprocess
 import sys
 import tempfile
 
-from paraview import simple
-
-simple.LoadPlugin(os.environ["CONTOUR_PLUGIN"], remote=False, ns=simple.__dict__)
-from vtkmodules.vtkCommonCore import vtkLogger, vtkPoints
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path.insert(0, os.path.join(HERE, "truth"))
+from truedata import SHARED, output, producer, read_mesh, simple
+from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPlane, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkCutter
-from vtkmodules.vtkIOGeometry import vtkOBJReader
 
-# vtkCutter announces every plane.
-vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_WARNING)
-SHARED = os.environ["CONTOUR_SHARED_DATA"]
-HERE = os.path.dirname(os.path.abspath(__file__))
 VOXELS = 256  # along the largest extent in the planes, for slices
 CUBE = 160  # along the longest extent, for three directions
 LEFT_OUT = 16  # slices to compare, of four contours
 AXES = "xyz"
-
-
-def output(proxy):
-    proxy.UpdatePipeline()
-    return proxy.GetClientSideObject().GetOutputDataObject(0)
-
-
-def producer(data):
-    source = simple.TrivialProducer()
-    source.GetClientSideObject().SetOutput(data)
-    return source
 
 
 def poly_data(loops):
@@ -142,31 +126,6 @@ def structure_case(name, file, roi, every):
     return Case(name, 2, drawn, left_out, slice_grid(hierarchy.GetBounds(), offsets))
 
 
-def read_mesh(name):
-    path = os.path.join(SHARED, "mesh", name)
-    if name.endswith(".obj"):
-        reader = vtkOBJReader()
-        reader.SetFileName(path)
-        reader.Update()
-        return reader.GetOutput()
-    with open(path) as file:
-        words = iter(file.read().split())
-    if next(words) != "OFF":
-        raise ValueError(f"{path} is no OFF file")
-    vertices, faces, _ = int(next(words)), int(next(words)), next(words)
-    points, cells = vtkPoints(), vtkCellArray()
-    points.SetDataTypeToDouble()
-    for _ in range(vertices):
-        points.InsertNextPoint([float(next(words)) for _ in range(3)])
-    for _ in range(faces):
-        corners = [int(next(words)) for _ in range(int(next(words)))]
-        cells.InsertNextCell(len(corners), corners)
-    mesh = vtkPolyData()
-    mesh.SetPoints(points)
-    mesh.SetPolys(cells)
-    return mesh
-
-
 def telling_offsets(left_out, axis, candidates):
     """An offset for each of the other two axes: planes that pass through as many parts of the left-out slices as any do.
 
@@ -190,7 +149,7 @@ def telling_offsets(left_out, axis, candidates):
 
 def mesh_case(name, file):
     """Two planes across the longest axis, a fifth of it from its ends, and a telling one across each of the others."""
-    mesh = read_mesh(file)
+    mesh = read_mesh(os.path.join(SHARED, "mesh", file))
     bounds = mesh.GetBounds()
     low, extent = bounds[0::2], [bounds[2 * a + 1] - bounds[2 * a] for a in range(3)]
     axis = max(range(3), key=lambda a: extent[a])
@@ -321,10 +280,12 @@ def arguments():
 def value_of(setting):
     """The name and the value, a number where it is one."""
     name, _, word = setting.partition("=")
-    try:
-        return name, float(word)
-    except ValueError:
-        return name, word
+    for number in (int, float):
+        try:
+            return name, number(word)
+        except ValueError:
+            pass
+    return name, word
 
 
 def main():

@@ -5,6 +5,7 @@
 #include "ImplicitFunction.h"
 #include "IterativeRbfSystem.h"
 #include "KernelSums.h"
+#include "NumberText.h"
 #include "PointGrid.h"
 #include "RbfSystem.h"
 #include "SubMonitor.h"
@@ -13,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <numeric>
 
@@ -39,18 +39,6 @@ constexpr double LargestSupport = 100;
 /// against exact ones themselves.
 constexpr std::size_t ExactlyCheckedAll = 16000;
 constexpr std::size_t ExactlyCheckedSome = 4096;
-
-std::string Text(double x)
-{
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", x);
-  return text;
-}
-
-std::string Text(const Point3& p)
-{
-  return "(" + Text(p[0]) + ", " + Text(p[1]) + ", " + Text(p[2]) + ")";
-}
 
 void CheckInput(const std::vector<Point3>& points, const std::vector<double>& values)
 {

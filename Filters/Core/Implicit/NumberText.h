@@ -6,17 +6,24 @@
 #ifndef recon_NumberText_h
 #define recon_NumberText_h
 
+#include "../Geometry.h"
+
 #include <cstdio>
 #include <string>
 
 namespace recon
 {
-/// Four digits, as many as a user can act upon.
+/// Six digits, as many as a user can act upon.
 inline std::string Text(double x)
 {
   char text[32];
-  std::snprintf(text, sizeof text, "%.4g", x);
+  std::snprintf(text, sizeof text, "%.6g", x);
   return text;
+}
+
+inline std::string Text(const Point3& p)
+{
+  return "(" + Text(p[0]) + ", " + Text(p[1]) + ", " + Text(p[2]) + ")";
 }
 }
 
