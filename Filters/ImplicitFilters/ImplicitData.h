@@ -10,9 +10,9 @@
 #ifndef ImplicitData_h
 #define ImplicitData_h
 
-#include "Implicit/Constraints.h"
+#include "Implicit/Constraints/Constraints.h"
 #include "Implicit/ImplicitFunction.h"
-#include "Implicit/Polygonizer.h"
+#include "Implicit/ZeroSet/Polygonizer.h"
 
 #include <string>
 #include <vector>

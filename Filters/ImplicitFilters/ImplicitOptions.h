@@ -6,9 +6,9 @@
 #ifndef ImplicitOptions_h
 #define ImplicitOptions_h
 
-#include "Implicit/Constraints.h"
+#include "Implicit/Constraints/Constraints.h"
 #include "Implicit/ImplicitFunction.h"
-#include "Implicit/Polygonizer.h"
+#include "Implicit/ZeroSet/Polygonizer.h"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 #include "vtkImplicitConstraints.h"
 
 #include "ContourConversion.h"
-#include "Implicit/ContourFit.h"
+#include "Implicit/Constraints/ContourFit.h"
 #include "ImplicitData.h"
 #include "ImplicitOptions.h"
 #include "vtkContourMonitor.h"

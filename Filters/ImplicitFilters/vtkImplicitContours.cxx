@@ -2,7 +2,7 @@
 #include "vtkImplicitContours.h"
 
 #include "ContourConversion.h"
-#include "Implicit/ContourTracer.h"
+#include "Implicit/ZeroSet/ContourTracer.h"
 #include "ImplicitData.h"
 #include "ImplicitOptions.h"
 #include "vtkContourMonitor.h"

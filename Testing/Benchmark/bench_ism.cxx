@@ -10,10 +10,10 @@
  * and of processor time, the misfit, the process's largest memory. A process of its own, because
  * memory that was once taken cannot be told from memory that is needed.
  */
-#include "Implicit/FunctionEvaluator.h"
 #include "Implicit/ImplicitFunction.h"
-#include "Implicit/KernelSums.h"
-#include "Implicit/Polygonizer.h"
+#include "Implicit/Summation/FunctionEvaluator.h"
+#include "Implicit/Summation/KernelSums.h"
+#include "Implicit/ZeroSet/Polygonizer.h"
 
 #include <sys/resource.h>
 

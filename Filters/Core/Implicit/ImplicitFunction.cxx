@@ -2,7 +2,7 @@
 #include "ImplicitFunction.h"
 
 #include "../Parallel.h"
-#include "KernelSums.h"
+#include "Summation/KernelSums.h"
 
 #include <algorithm>
 #include <cmath>

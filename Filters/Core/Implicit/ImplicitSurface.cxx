@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ImplicitSurface.h"
 
-#include "ContourPreview.h"
+#include "Constraints/ContourPreview.h"
 #include "SubMonitor.h"
 
 #include <algorithm>

@@ -7,8 +7,8 @@
 #ifndef recon_ImplicitSurface_h
 #define recon_ImplicitSurface_h
 
-#include "ContourFit.h"
-#include "Polygonizer.h"
+#include "Constraints/ContourFit.h"
+#include "ZeroSet/Polygonizer.h"
 
 namespace recon
 {

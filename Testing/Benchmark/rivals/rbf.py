@@ -80,6 +80,9 @@ def fit_ferreus(points, values, tolerance, evaluations, cell):
 
 def main():
     data = numpy.fromfile(sys.argv[1]).reshape(-1, 4)
+    # Of constraints in one place ferreus_rbf keeps one, and answers for that alone.
+    first = numpy.sort(numpy.unique(data[:, :3], axis=0, return_index=True)[1])
+    data = data[first]
     points, values = numpy.ascontiguousarray(data[:, :3]), numpy.ascontiguousarray(data[:, 3])
     if sys.argv[2] == "scipy":
         result = fit_scipy(points, values)

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Algorithm 13: counts, sides, values, merging, resampling.
 #include "HandMadeContours.h"
-#include "Implicit/ContourResampling.h"
-#include "Implicit/ContourTips.h"
-#include "Implicit/NearConstraints.h"
+#include "Implicit/Constraints/ContourResampling.h"
+#include "Implicit/Constraints/ContourTips.h"
+#include "Implicit/Constraints/NearConstraints.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 // test, where the code under test counts crossings of a ray.
 #include "Contours/ContourSetBuilder.h"
 #include "Core/SetsOfData.h"
-#include "Implicit/NearConstraints.h"
+#include "Implicit/Constraints/NearConstraints.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_2_algorithms.h>

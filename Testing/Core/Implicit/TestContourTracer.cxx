@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Contours of the function on planes (thesis 9.3.1).
-#include "Implicit/ContourFit.h"
-#include "Implicit/ContourTracer.h"
+#include "Implicit/Constraints/ContourFit.h"
 #include "Implicit/ImplicitSurface.h"
+#include "Implicit/ZeroSet/ContourTracer.h"
 #include "ImplicitShapes.h"
 
 #include <gtest/gtest.h>

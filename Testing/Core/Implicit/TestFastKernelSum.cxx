@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The fast sum against sums over all pairs: every accuracy, awkward clouds, gradients, threads.
-#include "Implicit/FastKernelSum.h"
 #include "Implicit/ImplicitFunction.h"
-#include "Implicit/KernelSums.h"
+#include "Implicit/Summation/FastKernelSum.h"
+#include "Implicit/Summation/KernelSums.h"
 
 #include <gtest/gtest.h>
 

@@ -2,10 +2,10 @@
 // Evaluation by fast sums against exact ones, and the surface and contours that are made of it.
 #include "ConstraintShapes.h"
 #include "Core/Mesh/MeshInvariants.h"
-#include "Implicit/ContourTracer.h"
-#include "Implicit/FunctionEvaluator.h"
-#include "Implicit/KernelSums.h"
-#include "Implicit/Polygonizer.h"
+#include "Implicit/Summation/FunctionEvaluator.h"
+#include "Implicit/Summation/KernelSums.h"
+#include "Implicit/ZeroSet/ContourTracer.h"
+#include "Implicit/ZeroSet/Polygonizer.h"
 
 #include <gtest/gtest.h>
 

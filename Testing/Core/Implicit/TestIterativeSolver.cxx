@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Conjugate gradients and what they stand on: order, neighbours, preconditioner; hard inputs, ends.
 #include "ConstraintShapes.h"
-#include "Implicit/AvailableMemory.h"
-#include "Implicit/InverseCholesky.h"
-#include "Implicit/IterativeRbfSystem.h"
-#include "Implicit/MaxMinOrder.h"
+#include "Implicit/Solver/AvailableMemory.h"
+#include "Implicit/Solver/InverseCholesky.h"
+#include "Implicit/Solver/IterativeRbfSystem.h"
+#include "Implicit/Solver/MaxMinOrder.h"
 
 #include <gtest/gtest.h>
 

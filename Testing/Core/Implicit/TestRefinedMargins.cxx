@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Margins that know how the surface stands on the planes, and the slices that choose between them.
-#include "Implicit/ContourFit.h"
-#include "Implicit/LeftOutSlices.h"
+#include "Implicit/Constraints/ContourFit.h"
+#include "Implicit/Constraints/LeftOutSlices.h"
 #include "ImplicitShapes.h"
 
 #include <gtest/gtest.h>

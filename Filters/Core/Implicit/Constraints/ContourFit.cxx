@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ContourFit.h"
+
+#include "../SubMonitor.h"
+#include "ContourResampling.h"
+#include "ContourTips.h"
+#include "LeftOutSlices.h"
+#include "MarginFit.h"
+
+#include <algorithm>
+
+namespace recon
+{
+namespace
+{
+/// What ThinOut's spacing is worth, as a part of the gap between the contours: denser points cost
+/// more and told little more on the sets tried. Up to the whole gap where there are more points
+/// than are needed for that.
+constexpr double LeastSpacingPerGap = 0.25;
+constexpr double SpacingGrowth = 1.25;
+constexpr std::size_t EnoughPoints = 3000;
+
+ConstraintOptions DistanceOptions(const ConstraintOptions& options)
+{
+  ConstraintOptions first = options;
+  first.Values = ConstraintOptions::Distance;
+  return first;
+}
+
+std::string Words(const SliceVotes& votes)
+{
+  return std::to_string(votes.All - votes.Better) + " of " + std::to_string(votes.All) +
+    " contour points where their slice is left out.";
+}
+
+void ReportRefinement(const RefinedMargins& margins, ConstraintSet& set)
+{
+  const std::size_t kept = margins.Vertices() - margins.Turned() - margins.TipVertices();
+  if (kept > 0)
+  {
+    set.Report.push_back(std::to_string(kept) + " of " + std::to_string(margins.Vertices()) +
+      " contour points keep margins in their plane, because the shape is too thin there to tell "
+      "its "
+      "normals, or refined ones would contradict a contour.");
+  }
+}
+
+/// Constraints and function of contours whose margins are refined where that is safe.
+class RefinedFit
+{
+public:
+  RefinedFit(ContourFit& fit, const ConstraintOptions& constraintOptions,
+    const FunctionOptions& functionOptions)
+    : Result(fit),
+      Constraints(constraintOptions),
+      Function(functionOptions),
+      Unit(constraintOptions.Values == ConstraintOptions::Unit)
+  {
+  }
+
+  void Run(Monitor& monitor)
+  {
+    SubMonitor fitting(monitor, 0, 0.15);
+    MarginFit first(
+      this->Result.Contours, this->Result.Constraints, this->Unit, this->Function, fitting);
+    this->Take(first);
+    if (first.Margins().TipVertices() > 0)
+    {
+      this->Result.Constraints.Report.push_back(std::to_string(first.Margins().TipVertices()) +
+        " points of contours that only touch the end of the solid have margins upright on their "
+        "plane.");
+    }
+    SubMonitor refining(monitor, 0.15, 1);
+    if (this->Result.Contours.Levels.size() >= LeftOutSlices::LeastLevels)
+    {
+      this->RefineAsSlicesSay(first, refining);
+    }
+    else if (!AllLevelsParallel(this->Result.Contours))
+    {
+      this->Refine(first, 1, refining);
+    }
+    else if (!this->Unit)
+    {
+      this->Refine(first, 0, refining);
+    }
+  }
+
+private:
+  void RefineAsSlicesSay(MarginFit& first, Monitor& monitor)
+  {
+    SubMonitor preparing(monitor, 0, 0.15);
+    const LeftOutSlices slices(
+      this->Result.Contours, this->Constraints, this->Function, preparing);
+    SubMonitor judging(monitor, 0.15, 0.5);
+    const SliceVotes turned = slices.Judge(MarginWay::Turned, judging);
+    SubMonitor refining(monitor, 0.5, 1);
+    if (turned.Pass())
+    {
+      this->Refine(first, this->Unit ? 1 : TurnedPart, refining);
+      return;
+    }
+    std::vector<std::string>& report = this->Result.Constraints.Report;
+    report.push_back(
+      "Margins stay in the contours' planes: turned along the surface's normals, it would be "
+      "farther from " +
+      Words(turned));
+    if (this->Unit)
+    {
+      return;
+    }
+    SubMonitor valuing(refining, 0, 0.4);
+    if (slices.Judge(MarginWay::Valued, valuing).Pass())
+    {
+      report.push_back("Their values tell how oblique the surface is to the planes.");
+      SubMonitor fitting(refining, 0.4, 1);
+      this->Refine(first, 0, fitting);
+      return;
+    }
+    SubMonitor reaching(refining, 0.4, 1);
+    this->ReachIfSlicesSay(slices, reaching);
+  }
+
+  void ReachIfSlicesSay(const LeftOutSlices& slices, Monitor& monitor)
+  {
+    if (this->Constraints.ReachAcrossSteps || !AllLevelsParallel(this->Result.Contours))
+    {
+      return;
+    }
+    SubMonitor judging(monitor, 0, 0.5);
+    const SliceVotes votes = slices.Judge(MarginWay::Reaching, judging);
+    if (votes.All == 0 || !votes.Pass())
+    {
+      return;
+    }
+    ConstraintOptions options = this->Constraints;
+    options.ReachAcrossSteps = true;
+    SubMonitor fitting(monitor, 0.5, 1);
+    const ConstraintSet reaching =
+      BuildInPlaneConstraints(this->Result.Contours, options, fitting);
+    this->Take(MarginFit(this->Result.Contours, reaching, false, this->Function, fitting));
+    this->Result.Constraints.Report.push_back(
+      "Margins reach across steps, where the next slice says otherwise of a place: that is nearer "
+      "to " +
+      std::to_string(votes.Better) + " of " + std::to_string(votes.All) +
+      " contour points where their slice is left out.");
+  }
+
+  void Refine(MarginFit& fit, double part, Monitor& monitor)
+  {
+    ImplicitFunction normals = fit.Function();
+    if (this->Unit)
+    {
+      // Distances tell the normals better than +1 and -1 do.
+      const ConstraintSet distances = BuildInPlaneConstraints(
+        this->Result.Contours, DistanceOptions(this->Constraints), monitor);
+      normals =
+        MarginFit(this->Result.Contours, distances, false, this->Function, monitor).Function();
+    }
+    fit.Refine(normals, part, monitor);
+    this->Take(fit);
+    ReportRefinement(fit.Margins(), this->Result.Constraints);
+  }
+
+  /// Makes a fit the result; sentences that were said stay.
+  void Take(const MarginFit& fit)
+  {
+    std::vector<std::string> report = std::move(this->Result.Constraints.Report);
+    this->Result.Constraints = fit.Constraints();
+    const std::vector<std::string>& more = this->Result.Constraints.Report;
+    report.insert(report.end(), more.begin(), more.end());
+    this->Result.Constraints.Report = std::move(report);
+    this->Result.Function = fit.Function();
+  }
+
+  ContourFit& Result;
+  const ConstraintOptions& Constraints;
+  const FunctionOptions& Function;
+  const bool Unit;
+};
+
+/// Points as dense as the gap is worth; with many points less dense, for a fit in seconds, but not
+/// beyond the gap.
+ContourSet ThinOutByGap(const ContourSet& contours)
+{
+  const double gap = TypicalGap(contours);
+  double spacing = LeastSpacingPerGap * gap;
+  ContourSet thin = ThinOut(contours, spacing);
+  while (thin.Points.size() > EnoughPoints && spacing < gap)
+  {
+    spacing = std::min(gap, SpacingGrowth * spacing);
+    thin = ThinOut(contours, spacing);
+  }
+  return thin;
+}
+
+/// The points that options ask for, or where they ask for nothing, no more than the gap is worth.
+ContourSet Resampled(const ContourSet& contours, const ConstraintOptions& options)
+{
+  if (options.ResampleTolerance <= 0 && options.ResampleSpacing <= 0)
+  {
+    return options.ThinOut ? ThinOutByGap(contours) : contours;
+  }
+  ContourSet resampled = contours;
+  if (options.ResampleTolerance > 0)
+  {
+    resampled = ResampleToTolerance(resampled, options.ResampleTolerance);
+  }
+  return options.ResampleSpacing > 0 ? ResampleToSpacing(resampled, options.ResampleSpacing)
+                                     : resampled;
+}
+}
+
+ContourSet PrepareContours(const ContourSet& contours, const ConstraintOptions& options)
+{
+  CheckConstraintInput(contours, options);
+  return Resampled(contours, options);
+}
+
+ContourFit FitContours(const ContourSet& contours, const ConstraintOptions& constraintOptions,
+  const FunctionOptions& functionOptions, Monitor& monitor)
+{
+  ContourFit fit;
+  fit.Contours = PrepareContours(contours, constraintOptions);
+  SubMonitor placing(monitor, 0, 0.1);
+  fit.Constraints = BuildInPlaneConstraints(fit.Contours, constraintOptions, placing);
+  SubMonitor fitting(monitor, 0.1, 1);
+  if (constraintOptions.Normals == ConstraintOptions::Refined &&
+    constraintOptions.Mode == ConstraintOptions::Margins)
+  {
+    RefinedFit(fit, constraintOptions, functionOptions).Run(fitting);
+  }
+  else
+  {
+    fit.Function = FitImplicitFunction(
+      fit.Constraints.Points, fit.Constraints.Values, functionOptions, fitting);
+  }
+  return fit;
+}
+}

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "LeftOutSlices.h"
+
+#include "../SubMonitor.h"
+#include "../Summation/FunctionEvaluator.h"
+#include "ContourTips.h"
+
+#include <cmath>
+
+namespace recon
+{
+namespace
+{
+/// Every how manieth level is left out in turn, and up to how many constraints all turns are taken
+/// instead of one.
+constexpr int LeaveOutEvery = 3;
+constexpr std::size_t MostConstraintsForAllTurns = 12000;
+/// Differences below this part of the gap between the contours decide nothing.
+constexpr double TieOfGap = 0.01;
+
+/// The levels that are, or are not, left out in a turn. Points keep their numbers.
+ContourSet Part(const ContourSet& contours, int turn, bool leftOut)
+{
+  ContourSet part = contours;
+  part.Levels.clear();
+  part.Contours.clear();
+  for (std::size_t l = 0; l < contours.Levels.size(); ++l)
+  {
+    const bool isLeftOut =
+      static_cast<int>(l % LeaveOutEvery) == turn && l > 0 && l + 1 < contours.Levels.size();
+    if (isLeftOut != leftOut)
+    {
+      continue;
+    }
+    Level level = contours.Levels[l];
+    for (int& c : level.Contours)
+    {
+      Contour contour = contours.Contours[c];
+      contour.Level = static_cast<int>(part.Levels.size());
+      contour.Parent = -1;
+      c = static_cast<int>(part.Contours.size());
+      part.Contours.push_back(contour);
+    }
+    part.Levels.push_back(level);
+  }
+  return part;
+}
+
+/// Distance, to first order, of the contours' vertices from the function's surface.
+std::vector<double> Misses(
+  const ImplicitFunction& function, const ContourSet& contours, int threads, Monitor& monitor)
+{
+  std::vector<Point3> points;
+  for (const Contour& contour : contours.Contours)
+  {
+    for (const int p : contour.Points)
+    {
+      points.push_back(contours.Points[p]);
+    }
+  }
+  std::vector<double> f;
+  std::vector<Vector3> g;
+  AbortMonitor stop(monitor);
+  FunctionEvaluator(function, threads).ValuesAndGradients(points, f, g, stop);
+  std::vector<double> misses;
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    misses.push_back(std::abs(f[i]) / Norm(g[i]));
+  }
+  return misses;
+}
+}
+
+LeftOutSlices::LeftOutSlices(const ContourSet& contours, const ConstraintOptions& constraintOptions,
+  const FunctionOptions& functionOptions, Monitor& monitor)
+  : Constraints(constraintOptions),
+    Function(functionOptions),
+    Tie(TieOfGap * TypicalGap(contours))
+{
+  this->Constraints.Values = ConstraintOptions::Distance;
+  // What is judged is the set as it will be fitted, so with the margins of the whole.
+  this->Constraints.MarginDistance = ChooseMarginDistance(contours, constraintOptions);
+  const int count = 3 * contours.Points.size() > MostConstraintsForAllTurns ? 1 : LeaveOutEvery;
+  for (int i = 0; i < count; ++i)
+  {
+    Turn turn;
+    turn.Seen = Part(contours, (i + 1) % LeaveOutEvery, false);
+    turn.Unseen = Part(contours, (i + 1) % LeaveOutEvery, true);
+    if (turn.Unseen.Contours.empty())
+    {
+      continue;
+    }
+    SubMonitor fitting(
+      monitor, static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
+    const ConstraintSet inPlane = BuildInPlaneConstraints(turn.Seen, this->Constraints, fitting);
+    turn.First.emplace_back(turn.Seen, inPlane, false, this->Function, fitting);
+    turn.Misses =
+      Misses(turn.First.front().Function(), turn.Unseen, this->Function.Threads, fitting);
+    this->Turns.push_back(std::move(turn));
+  }
+}
+
+std::vector<double> LeftOutSlices::MissesOf(
+  const Turn& turn, MarginWay way, Monitor& monitor) const
+{
+  const int threads = this->Function.Threads;
+  if (way == MarginWay::Reaching)
+  {
+    ConstraintOptions options = this->Constraints;
+    options.ReachAcrossSteps = true;
+    const ConstraintSet reaching = BuildInPlaneConstraints(turn.Seen, options, monitor);
+    const MarginFit fit(turn.Seen, reaching, false, this->Function, monitor);
+    return Misses(fit.Function(), turn.Unseen, threads, monitor);
+  }
+  MarginFit fit = turn.First.front();
+  const ImplicitFunction normals = fit.Function();
+  fit.Refine(normals, way == MarginWay::Turned ? TurnedPart : 0, monitor);
+  return Misses(fit.Function(), turn.Unseen, threads, monitor);
+}
+
+SliceVotes LeftOutSlices::Judge(MarginWay way, Monitor& monitor) const
+{
+  SliceVotes votes;
+  const double all = static_cast<double>(this->Turns.size());
+  for (std::size_t t = 0; t < this->Turns.size(); ++t)
+  {
+    const double at = static_cast<double>(t);
+    SubMonitor fitting(monitor, at / all, (at + 1) / all);
+    const std::vector<double> misses = this->MissesOf(this->Turns[t], way, fitting);
+    const std::vector<double>& plain = this->Turns[t].Misses;
+    for (std::size_t i = 0; i < plain.size(); ++i)
+    {
+      // Vertices that both predict as well abstain.
+      votes.Better += misses[i] < plain[i] - this->Tie ? 1 : 0;
+      votes.All += std::abs(misses[i] - plain[i]) > this->Tie ? 1 : 0;
+    }
+  }
+  return votes;
+}
+}

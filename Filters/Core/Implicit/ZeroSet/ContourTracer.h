@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @file ContourTracer.h
+ * @brief Contours of the implicit function on any planes (thesis 9.3.1).
+ */
+#ifndef recon_ContourTracer_h
+#define recon_ContourTracer_h
+
+#include "../../Contours/ContourSet.h"
+#include "../../Monitor.h"
+#include "BoundedField.h"
+
+#include <optional>
+#include <vector>
+
+namespace recon
+{
+struct TracePlane
+{
+  PlanarFrame Frame;
+  double Offset = 0; ///< along Frame.Normal
+};
+
+struct TracerOptions
+{
+  double CellSize = 0; ///< edge of the grid's squares, as PolygonizerOptions::CellSize
+  std::optional<Bounds>
+    Box;                   ///< contours are closed where they reach it; as PolygonizerOptions::Box
+  double Tolerance = 1e-6; ///< of a root, in cells
+  double MaximumCells = 4e6; ///< more are refused, as in PolygonizerOptions
+  int Threads = 0;
+};
+
+/**
+ * A planar grid a level, the function at its corners near the surface, a root on each edge whose
+ * ends differ in sign, and from root to root until the contour is closed. Squares are cut into
+ * triangles, so a contour never has to choose where to go on.
+ *
+ * Closed, oriented and nested contours (ContourSet.h), in planes of their own or, where all planes
+ * are parallel, as a Parallel set that the polyhedral method reads. Parts of the zero set that no
+ * seed's component reaches (phantom sheets) are not traced.
+ *
+ * @throws Error where there is no plane, no contour on any, or the grid would be absurdly fine;
+ * Aborted.
+ */
+ContourSet TraceContours(const ImplicitFunction& function, const std::vector<Point3>& seeds,
+  const std::vector<TracePlane>& planes, const TracerOptions& options, Monitor& monitor);
+
+/// Parallel planes from an offset to another, both included where the spacing fits. @throws Error
+/// on bad numbers.
+std::vector<TracePlane> ParallelPlanes(
+  const Vector3& normal, double from, double to, double spacing);
+
+/// The planes of a contour set's levels.
+std::vector<TracePlane> PlanesOf(const ContourSet& contours);
+
+/// A frame about a normal of any length (PlanarFrame says which where it is an axis). @throws Error
+/// on a zero one.
+PlanarFrame FrameAbout(const Vector3& normal);
+}
+
+#endif

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @file MeshCleanUp.h
+ * @brief Slivers out of an isosurface, without leaving the surface or its topology.
+ */
+#ifndef recon_MeshCleanUp_h
+#define recon_MeshCleanUp_h
+
+#include "../../Mesh/TriangleMesh.h"
+#include "../../Monitor.h"
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace recon
+{
+/// Moves points onto the surface and gives the normals there; done[i] = 0 where it could not.
+using Projector = std::function<void(
+  std::vector<Point3>& points, std::vector<Vector3>& normals, std::vector<char>& done)>;
+
+struct CleanUpOptions
+{
+  double EdgeLength = 1; ///< what edges should have (units of the input)
+  int Rounds = 3;
+  int Threads = 0;             ///< 0 = all of the machine; the result does not depend on it
+  std::vector<Point3> Anchors; ///< points of the surface that should become vertices (none = empty)
+};
+
+struct CleanUpResult
+{
+  double LeastAngle = 0; ///< degrees
+  std::size_t Anchored = 0;
+  std::int64_t Crossing = 0; ///< pairs of triangles that cross or overlap
+};
+
+/**
+ * Collapses short edges where the link condition holds (so a manifold stays one, of the same
+ * genus), flips diagonals, spreads vertices in their tangent planes and projects them back. Border
+ * vertices stay. Where two sheets are near each other no change is made that lets triangles cross,
+ * and the whole is looked at in the end: a mesh that did not cross itself does not afterwards.
+ *
+ * @param normals at the points, out of the solid; kept up to date. No triangle may turn against
+ * them.
+ */
+CleanUpResult CleanUp(TriangleMesh& mesh, std::vector<Vector3>& normals, const Projector& project,
+  const CleanUpOptions& options, Monitor& monitor);
+
+/// The smallest angle of all triangles in degrees; 180 where there is none.
+double LeastAngle(const TriangleMesh& mesh);
+}
+
+#endif

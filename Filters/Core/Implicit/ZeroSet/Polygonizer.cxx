@@ -1,0 +1,616 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Polygonizer.h"
+
+#include "../../Mesh/TriangleTree.h"
+#include "../../Parallel.h"
+#include "../NumberText.h"
+#include "../PointGrid.h"
+#include "../SubMonitor.h"
+#include "EdgeRoots.h"
+#include "MeshCleanUp.h"
+#include "SurfaceTracker.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace recon
+{
+namespace
+{
+/// A surface passes through about this many cells for every cell's face that it covers.
+constexpr double CellsPerFace = 1.5;
+/// The part of the bounds that is proposed where a cell was larger than all of them.
+constexpr double LeastCellsAcross = 0.1;
+/// Cells of previews, as parts of the diagonal of the seeds' bounding box, and how exactly coarse
+/// ones cut the surface, in cells.
+constexpr double MediumCells = 1.0 / 100;
+constexpr double CoarseCells = 1.0 / 50;
+constexpr double CoarseTolerance = 0.02;
+/// A clean-up that leaves a smaller angle (degrees) says so.
+constexpr double PromisedAngle = 1;
+/// Where CellSize is to be chosen and cells miss walls or gaps that contours are on, cells smaller
+/// by this factor are tried, for twice the triangles. They are kept where they leave at most so
+/// many of the points missed.
+constexpr double FinerCells = 0.7;
+constexpr double WorthTheirPrice = 0.5;
+/// Walls and gaps thinner than this part of a cell are not worth smaller cells: those would not
+/// find them either.
+constexpr double WorthFinding = 0.5;
+/// A function that is off by more than this part of a cell at a point passes it by.
+constexpr double PassedBy = 0.25;
+/// Steps to a cell in which a wall or gap is measured.
+constexpr int ThicknessSteps = 16;
+
+/// An edge of the lattice: its lesser corner and its direction, bits of (x, y, z) in 1..7.
+struct LatticeEdge
+{
+  LatticeIndex Corner;
+  int Direction;
+
+  LatticeIndex Far() const
+  {
+    return { this->Corner[0] + (this->Direction & 1),
+      this->Corner[1] + ((this->Direction >> 1) & 1),
+      this->Corner[2] + ((this->Direction >> 2) & 1) };
+  }
+  std::uint64_t Key() const
+  {
+    return Lattice::Key(this->Corner) | (static_cast<std::uint64_t>(this->Direction) << 60);
+  }
+};
+
+/**
+ * A cube is cut into six tetrahedra along its main diagonal (Kuhn), the same way in all cubes, so
+ * that neighbours agree on the diagonals of their faces. Corners are named by their bits; each
+ * tetrahedron climbs from 0 to 7.
+ */
+constexpr std::array<std::array<int, 4>, 6> Tetrahedra{ { { 0, 1, 3, 7 }, { 0, 1, 5, 7 },
+  { 0, 2, 3, 7 }, { 0, 2, 6, 7 }, { 0, 4, 5, 7 }, { 0, 4, 6, 7 } } };
+
+std::array<int, 3> Bits(int corner)
+{
+  return { corner & 1, (corner >> 1) & 1, (corner >> 2) & 1 };
+}
+
+/// A triangle as three pairs of cube corners, the first of each inside.
+using CutTriangle = std::array<std::array<int, 2>, 3>;
+
+/// Does the triangle through the edges' midpoints face away from the inside corner given? Integers,
+/// exact.
+bool FacesAway(const CutTriangle& t, int insideCorner)
+{
+  std::array<std::array<int, 3>, 3> p{};
+  for (int k = 0; k < 3; ++k)
+  {
+    for (int a = 0; a < 3; ++a)
+    {
+      p[k][a] = Bits(t[k][0])[a] + Bits(t[k][1])[a];
+    }
+  }
+  std::array<int, 3> u{};
+  std::array<int, 3> v{};
+  std::array<int, 3> w{};
+  for (int a = 0; a < 3; ++a)
+  {
+    u[a] = p[1][a] - p[0][a];
+    v[a] = p[2][a] - p[0][a];
+    w[a] = 2 * Bits(insideCorner)[a] - p[0][a];
+  }
+  const int det = w[0] * (u[1] * v[2] - u[2] * v[1]) + w[1] * (u[2] * v[0] - u[0] * v[2]) +
+    w[2] * (u[0] * v[1] - u[1] * v[0]);
+  return det < 0;
+}
+
+void AppendOriented(CutTriangle t, int insideCorner, std::vector<CutTriangle>& triangles)
+{
+  if (!FacesAway(t, insideCorner))
+  {
+    std::swap(t[1], t[2]);
+  }
+  triangles.push_back(t);
+}
+
+/// The one or two triangles that cut a tetrahedron's inside corners from its outside ones.
+void CutTetrahedron(
+  const std::array<int, 4>& corners, int insideMask, std::vector<CutTriangle>& triangles)
+{
+  std::vector<int> in;
+  std::vector<int> out;
+  for (int k = 0; k < 4; ++k)
+  {
+    (((insideMask >> corners[k]) & 1) ? in : out).push_back(corners[k]);
+  }
+  if (in.size() == 1)
+  {
+    AppendOriented(
+      { { { in[0], out[0] }, { in[0], out[1] }, { in[0], out[2] } } }, in[0], triangles);
+  }
+  else if (in.size() == 3)
+  {
+    AppendOriented(
+      { { { in[0], out[0] }, { in[1], out[0] }, { in[2], out[0] } } }, in[0], triangles);
+  }
+  else if (in.size() == 2)
+  {
+    // Round the quadrilateral: each edge shares a corner with the next.
+    AppendOriented(
+      { { { in[0], out[0] }, { in[0], out[1] }, { in[1], out[1] } } }, in[0], triangles);
+    AppendOriented(
+      { { { in[0], out[0] }, { in[1], out[1] }, { in[1], out[0] } } }, in[0], triangles);
+  }
+}
+
+/// The triangles of a cube for each of the 256 sets of inside corners.
+const std::array<std::vector<CutTriangle>, 256>& CutTable()
+{
+  static const std::array<std::vector<CutTriangle>, 256> table = []
+  {
+    std::array<std::vector<CutTriangle>, 256> cuts;
+    for (int mask = 0; mask < 256; ++mask)
+    {
+      for (const auto& tetrahedron : Tetrahedra)
+      {
+        CutTetrahedron(tetrahedron, mask, cuts[mask]);
+      }
+    }
+    return cuts;
+  }();
+  return table;
+}
+
+/// Collects the cut edges of all cubes, each once, and the triangles between them.
+class Marcher
+{
+public:
+  explicit Marcher(const SurfaceTracker& tracker) : Tracker(tracker)
+  {
+    this->Index.reserve(EdgesPerCube * tracker.Cubes().size());
+    for (const LatticeIndex& cube : tracker.Cubes())
+    {
+      this->March(cube);
+    }
+  }
+
+  const std::vector<LatticeEdge>& Edges() const { return this->CutEdges; }
+  std::vector<std::array<int, 3>>& Triangles() { return this->Cut; }
+
+private:
+  void March(const LatticeIndex& cube)
+  {
+    int mask = 0;
+    for (int c = 0; c < 8; ++c)
+    {
+      mask |= this->Tracker.ValueAt(this->Corner(cube, c)) > 0 ? 1 << c : 0;
+    }
+    for (const CutTriangle& t : CutTable()[mask])
+    {
+      std::array<int, 3> triangle{};
+      for (int k = 0; k < 3; ++k)
+      {
+        triangle[k] = this->PointOn(cube, std::min(t[k][0], t[k][1]), std::max(t[k][0], t[k][1]));
+      }
+      this->Cut.push_back(triangle);
+    }
+  }
+
+  static LatticeIndex Corner(const LatticeIndex& cube, int c)
+  {
+    return { cube[0] + (c & 1), cube[1] + ((c >> 1) & 1), cube[2] + ((c >> 2) & 1) };
+  }
+
+  /// Corners of a Kuhn tetrahedron are nested: the smaller's bits are among the larger's.
+  int PointOn(const LatticeIndex& cube, int small, int large)
+  {
+    const LatticeEdge edge{ Corner(cube, small), large ^ small };
+    const auto [place, isNew] =
+      this->Index.emplace(edge.Key(), static_cast<int>(this->CutEdges.size()));
+    if (isNew)
+    {
+      this->CutEdges.push_back(edge);
+    }
+    return place->second;
+  }
+
+  /// Cut edges a cube, about: room is made for them at once.
+  static constexpr std::size_t EdgesPerCube = 4;
+
+  const SurfaceTracker& Tracker;
+  std::vector<LatticeEdge> CutEdges;
+  std::vector<std::array<int, 3>> Cut;
+  std::unordered_map<std::uint64_t, int, LatticeHash> Index;
+};
+
+/// body(i) for all items, in pieces that threads share.
+template <typename Body>
+void ForAll(std::size_t items, int threads, const Body& body, Monitor& monitor)
+{
+  constexpr std::size_t ItemsPerPiece = 4096;
+  AbortMonitor stop(monitor);
+  const auto run = [&](int piece)
+  {
+    const std::size_t from = static_cast<std::size_t>(piece) * ItemsPerPiece;
+    for (std::size_t i = from; i < std::min(items, from + ItemsPerPiece); ++i)
+    {
+      body(i);
+    }
+  };
+  ParallelFor(static_cast<int>((items + ItemsPerPiece - 1) / ItemsPerPiece), threads, run, stop,
+    { 0, 1, "finding the surface's points" });
+}
+
+std::vector<CrossedEdge> CrossedEdgesOf(
+  const Marcher& marcher, const SurfaceTracker& tracker, int threads, Monitor& monitor)
+{
+  std::vector<CrossedEdge> crossed(marcher.Edges().size());
+  const auto cross = [&](std::size_t i)
+  {
+    const LatticeEdge& edge = marcher.Edges()[i];
+    const LatticeIndex far = edge.Far();
+    const double near = tracker.ValueAt(edge.Corner);
+    const double other = tracker.ValueAt(far);
+    const Point3 nearPlace = tracker.Grid().At(edge.Corner);
+    const Point3 farPlace = tracker.Grid().At(far);
+    crossed[i] = near > 0 ? CrossedEdge{ nearPlace, farPlace, near, other }
+                          : CrossedEdge{ farPlace, nearPlace, other, near };
+  };
+  ForAll(crossed.size(), threads, cross, monitor);
+  return crossed;
+}
+
+std::vector<Vector3> OutwardNormals(const BoundedField& field, const std::vector<Point3>& points)
+{
+  std::vector<double> values;
+  std::vector<Vector3> normals;
+  field.Evaluate(points, values, normals);
+  for (Vector3& n : normals)
+  {
+    const double steep = Norm(n);
+    n = steep > 0 ? (-1 / steep) * n : Vector3{ 0, 0, 0 };
+  }
+  return normals;
+}
+
+/// The surface as the cells cut it.
+TriangleMesh Track(const BoundedField& field, const std::vector<Point3>& seeds, double cellSize,
+  const PolygonizerOptions& options, Monitor& monitor)
+{
+  SubMonitor tracking(monitor, 0, 0.5);
+  const Lattice lattice(field.Box(), cellSize, field.Closed());
+  const SurfaceTracker tracker(field, lattice, seeds, options.MaximumCells, tracking);
+  Marcher marcher(tracker);
+  SubMonitor rooting(monitor, 0.5, 1);
+  TriangleMesh mesh;
+  mesh.Points = FindRoots(field, CrossedEdgesOf(marcher, tracker, options.Threads, monitor),
+    options.Tolerance * cellSize, rooting);
+  mesh.Triangles = std::move(marcher.Triangles());
+  return mesh;
+}
+
+bool IsWithin(const Point3& p, const Bounds& box)
+{
+  for (int a = 0; a < 3; ++a)
+  {
+    if (!(p[a] >= box[2 * a] && p[a] <= box[2 * a + 1]))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Points within the bounds that the function's surface passes by, but no triangle within a cell.
+std::vector<Point3> PointsMissed(const BoundedField& field, const TriangleMesh& mesh,
+  const std::vector<Point3>& points, double cellSize, int threads, Monitor& monitor)
+{
+  const TriangleTree tree(mesh);
+  std::vector<char> isFar(points.size(), 0);
+  const auto measure = [&](std::size_t i)
+  {
+    isFar[i] =
+      IsWithin(points[i], field.Box()) && tree.DistanceTo(points[i], 2 * cellSize) > cellSize ? 1
+                                                                                              : 0;
+  };
+  ForAll(points.size(), threads, measure, monitor);
+  std::vector<Point3> far;
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    if (isFar[i])
+    {
+      far.push_back(points[i]);
+    }
+  }
+  // Smaller cells come no nearer to those that the function itself misses.
+  std::vector<double> values;
+  std::vector<Vector3> gradients;
+  field.Evaluate(far, values, gradients);
+  std::vector<Point3> missed;
+  for (std::size_t i = 0; i < far.size(); ++i)
+  {
+    if (std::abs(values[i]) < PassedBy * cellSize * Norm(gradients[i]))
+    {
+      missed.push_back(far[i]);
+    }
+  }
+  return missed;
+}
+
+/// Is a point on a wall, or at a gap, that smaller cells can find? The way to the other
+/// side is measured along the normal.
+bool AnyWorthFinding(const BoundedField& field, const std::vector<Point3>& points, double cellSize)
+{
+  const std::vector<Vector3> normals = OutwardNormals(field, points);
+  std::vector<Point3> probes;
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    for (int k = -ThicknessSteps; k <= ThicknessSteps; ++k)
+    {
+      probes.push_back(points[i] + (k * cellSize / ThicknessSteps) * normals[i]);
+    }
+  }
+  const std::vector<double> g = field.Values(probes);
+  const int steps = 2 * ThicknessSteps + 1;
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    int thinnest = ThicknessSteps + 1;
+    for (int k = 1; k <= ThicknessSteps; ++k)
+    {
+      const std::size_t middle = i * steps + ThicknessSteps;
+      const bool otherSide = g[middle + k] > 0 || g[middle - k] <= 0;
+      thinnest = otherSide ? std::min(thinnest, k) : thinnest;
+    }
+    if (thinnest <= ThicknessSteps && thinnest >= WorthFinding * ThicknessSteps)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/**
+ * Tracks the surface, where CellSize is to be chosen with smaller cells where seeds or witnesses
+ * are more than a cell away from it: between two sheets of the surface that are nearer than a cell
+ * there may be no corner, and then neither is found.
+ */
+void TrackAndFind(const BoundedField& field, const std::vector<Point3>& seeds,
+  const PolygonizerOptions& options, ImplicitMesh& result, Monitor& monitor)
+{
+  std::vector<Point3> all = seeds;
+  all.insert(all.end(), options.Witnesses.begin(), options.Witnesses.end());
+  SubMonitor tracking(monitor, 0, 0.3);
+  result.Mesh = Track(field, seeds, result.CellSize, options, tracking);
+  std::vector<Point3> missed =
+    PointsMissed(field, result.Mesh, all, result.CellSize, options.Threads, monitor);
+  const double finer = FinerCells * result.CellSize;
+  const double finerTriangles =
+    static_cast<double>(result.Mesh.Triangles.size()) / (FinerCells * FinerCells);
+  if (!missed.empty() && options.CellSize == 0 && finerTriangles < options.MaximumCells &&
+    AnyWorthFinding(field, missed, result.CellSize))
+  {
+    SubMonitor again(monitor, 0.3, 0.6);
+    TriangleMesh mesh = Track(field, seeds, finer, options, again);
+    std::vector<Point3> stillMissed =
+      PointsMissed(field, mesh, all, finer, options.Threads, monitor);
+    if (static_cast<double>(stillMissed.size()) <=
+      WorthTheirPrice * static_cast<double>(missed.size()))
+    {
+      result.Mesh = std::move(mesh);
+      result.CellSize = finer;
+      missed = std::move(stillMissed);
+    }
+  }
+  if (!missed.empty())
+  {
+    result.Report.push_back(std::to_string(missed.size()) +
+      " points of contours are more than a cell of " + Text(result.CellSize) +
+      " away from the surface, as the shape, or a gap in it, is thinner than that there: choose a "
+      "smaller CellSize.");
+  }
+}
+
+void CleanUpMesh(const BoundedField& field, const std::vector<Point3>& seeds,
+  const PolygonizerOptions& options, ImplicitMesh& result, Monitor& monitor)
+{
+  const double h = result.CellSize;
+  const Projector project =
+    [&](std::vector<Point3>& points, std::vector<Vector3>& normals, std::vector<char>& done)
+  {
+    monitor.Update(0.5, "cleaning up the mesh");
+    field.Project(points, normals, done, 0.5 * h, options.Tolerance * h);
+  };
+  CleanUpOptions cleaning;
+  cleaning.EdgeLength = h;
+  cleaning.Threads = options.Threads;
+  if (options.SnapToSeeds)
+  {
+    cleaning.Anchors = seeds;
+  }
+  const CleanUpResult cleaned = CleanUp(result.Mesh, result.Normals, project, cleaning, monitor);
+  if (cleaned.LeastAngle < PromisedAngle)
+  {
+    result.Report.push_back("A triangle's angle of " + Text(cleaned.LeastAngle) +
+      " degrees could not be mended without moving the surface.");
+  }
+  if (cleaned.Crossing > 0)
+  {
+    result.Report.push_back(std::to_string(cleaned.Crossing) +
+      " pairs of triangles cross each other: choose a smaller CellSize, or no CleanUp.");
+  }
+  if (options.SnapToSeeds && cleaned.Anchored < seeds.size())
+  {
+    result.Report.push_back(std::to_string(cleaned.Anchored) + " of " +
+      std::to_string(seeds.size()) +
+      " contour points became mesh points; the others lie closer together than CellSize.");
+  }
+}
+
+/// What a preview does without; says so in the result's Report.
+PolygonizerOptions WithDetail(const PolygonizerOptions& asked, ImplicitMesh& result)
+{
+  PolygonizerOptions options = asked;
+  if (asked.Detail == PolygonizerOptions::Full)
+  {
+    return options;
+  }
+  options.CellSize = result.CellSize;
+  const bool coarse = asked.Detail == PolygonizerOptions::Coarse;
+  if (coarse)
+  {
+    options.CleanUp = false;
+    options.SnapToSeeds = false;
+    options.Tolerance = std::max(CoarseTolerance, asked.Tolerance);
+  }
+  result.Report.push_back("This is a preview with cells of " + Text(result.CellSize) +
+    (coarse ? " and triangles as they come" : "") + ": set Detail to Full for the whole surface.");
+  return options;
+}
+
+void CheckOptions(const PolygonizerOptions& options)
+{
+  if (!(options.Tolerance > 0 && options.Tolerance <= 0.1))
+  {
+    throw Error("The root tolerance must be a part of a cell, above 0 and at most 0.1.");
+  }
+}
+}
+
+double ChooseCellSize(const std::vector<Point3>& seeds, double asked)
+{
+  if (!(asked >= 0) || !std::isfinite(asked))
+  {
+    throw Error("CellSize must be positive, or 0 to have it chosen, and a finite number.");
+  }
+  if (asked > 0)
+  {
+    return asked;
+  }
+  const double diagonal = DiagonalOf(BoundsOf(seeds));
+  if (!(diagonal > 0))
+  {
+    throw Error("All seeds are one point, which gives no cell size: set CellSize.");
+  }
+  const double coarsest = diagonal / 80;
+  const PointGrid grid(seeds, coarsest);
+  std::vector<double> spacings;
+  for (std::size_t i = 0; i < seeds.size(); ++i)
+  {
+    double least = coarsest * coarsest;
+    grid.ForNear(seeds[i], coarsest,
+      [&](int j, double r2)
+      {
+        if (j != static_cast<int>(i) && r2 > 0)
+        {
+          least = std::min(least, r2);
+        }
+      });
+    spacings.push_back(std::sqrt(least));
+  }
+  const auto middle = spacings.begin() + static_cast<std::ptrdiff_t>(spacings.size() / 2);
+  std::nth_element(spacings.begin(), middle, spacings.end());
+  return std::min(coarsest, std::max(diagonal / 160, *middle));
+}
+
+double ChooseCellSize(const std::vector<Point3>& seeds, const PolygonizerOptions& options)
+{
+  const double size = ChooseCellSize(seeds, options.CellSize);
+  if (options.Detail == PolygonizerOptions::Full)
+  {
+    return size;
+  }
+  const double part = options.Detail == PolygonizerOptions::Medium ? MediumCells : CoarseCells;
+  return std::max(size, part * DiagonalOf(BoundsOf(seeds)));
+}
+
+Bounds ChooseBounds(const std::vector<Point3>& seeds, const std::optional<Bounds>& asked)
+{
+  if (asked)
+  {
+    CheckBounds(*asked);
+    return *asked;
+  }
+  Bounds box = BoundsOf(seeds);
+  const double margin = 0.1 * DiagonalOf(box);
+  for (int a = 0; a < 3; ++a)
+  {
+    box[2 * a] -= margin;
+    box[2 * a + 1] += margin;
+  }
+  CheckBounds(box);
+  return box;
+}
+
+void CheckCellCount(const Bounds& ofSeeds, const Bounds& box, double cellSize, double maximumCells)
+{
+  if (!(maximumCells >= 1) || !std::isfinite(maximumCells))
+  {
+    throw Error("MaximumCells must be at least 1, and a finite number.");
+  }
+  std::array<double, 3> side{};
+  double longest = 0;
+  for (int a = 0; a < 3; ++a)
+  {
+    const double low = std::max(ofSeeds[2 * a], box[2 * a]);
+    const double high = std::min(ofSeeds[2 * a + 1], box[2 * a + 1]);
+    side[a] = std::max(0.0, high - low);
+    longest = std::max(longest, box[2 * a + 1] - box[2 * a]);
+  }
+  if (cellSize > longest)
+  {
+    throw Error("CellSize " + Text(cellSize) + " is larger than the bounds: choose less than " +
+      Text(LeastCellsAcross * longest) + ", or 0 to have it chosen.");
+  }
+  const double area = 2 * (side[0] * side[1] + side[1] * side[2] + side[2] * side[0]);
+  const double cells = CellsPerFace * area / (cellSize * cellSize);
+  if (cells > maximumCells || longest / cellSize > Lattice::MaximumCells)
+  {
+    const double enough =
+      std::max(std::sqrt(CellsPerFace * area / maximumCells), longest / Lattice::MaximumCells);
+    throw Error("CellSize " + Text(cellSize) + " would take about " + Text(cells) +
+      " cells, more than the " + Text(maximumCells) + " allowed: choose " + Text(1.01 * enough) +
+      " or more, or smaller bounds.");
+  }
+}
+
+std::vector<Point3> SeedsOf(const ImplicitFunction& function)
+{
+  std::vector<Point3> seeds;
+  for (std::size_t j = 0; j < function.Centres.size(); ++j)
+  {
+    if (j < function.Values.size() && function.Values[j] == 0)
+    {
+      seeds.push_back(function.Centres[j]);
+    }
+  }
+  if (seeds.empty())
+  {
+    throw Error(
+      "The model has no constraint of value 0, so there is no point of the surface to start from: "
+      "fit it to constraints made of contours.");
+  }
+  return seeds;
+}
+
+ImplicitMesh Polygonize(const ImplicitFunction& function, const std::vector<Point3>& seeds,
+  const PolygonizerOptions& asked, Monitor& monitor)
+{
+  CheckOptions(asked);
+  function.Validate();
+  ImplicitMesh result;
+  const Bounds box = ChooseBounds(seeds, asked.Box);
+  result.CellSize = ChooseCellSize(seeds, asked);
+  CheckCellCount(BoundsOf(seeds), box, result.CellSize, asked.MaximumCells);
+  const PolygonizerOptions options = WithDetail(asked, result);
+
+  const BoundedField field(function, box, options.ClosedAtBounds, options.Threads, monitor);
+  TrackAndFind(field, seeds, options, result, monitor);
+  result.Normals = OutwardNormals(field, result.Mesh.Points);
+  if (options.CleanUp)
+  {
+    SubMonitor cleaning(monitor, 0.6, 1);
+    CleanUpMesh(field, seeds, options, result, cleaning);
+  }
+  result.LeastAngle = LeastAngle(result.Mesh);
+  monitor.Update(1, "cleaning up the mesh");
+  return result;
+}
+}
