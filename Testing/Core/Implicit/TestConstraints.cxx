@@ -393,6 +393,7 @@ TEST(Constraints, TipsAreContoursThatOnlyTouchTheEnd)
   const std::vector<ContourTip> tips = FindTips(contours);
   ASSERT_EQ(tips.size(), contours.Contours.size());
   EXPECT_EQ(std::abs(tips[0].Side), 1);
+  EXPECT_TRUE(tips[0].Flat);
   const double side = tips[0].Side * contours.Levels[0].Frame.Normal[2];
   EXPECT_GT(side, 0); // the solid lies above
   for (std::size_t c = 1; c < tips.size(); ++c)

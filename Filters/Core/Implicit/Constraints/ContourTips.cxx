@@ -15,6 +15,8 @@ namespace
 /// w is below this part of the distance to the wall of the section beside it. A cap that is round
 /// from there on is then lower than 1% of the gap: the contour is the end of the solid.
 constexpr double TipSlenderness = 0.1;
+/// Depth in the section beside a tip, as a part of the gap, from which the surface lies flat there.
+constexpr double FlatSlope = 0.5;
 /// Levels whose normals agree at least this much (cosine) count as parallel.
 constexpr double ParallelCosine = 0.9;
 /// Vertices looked at for the gap: it is a median, which a sample tells as well.
@@ -68,7 +70,7 @@ public:
     {
       return {};
     }
-    return { above ? 1 : -1 };
+    return { above ? 1 : -1, solid.Depth >= FlatSlope * solid.Gap };
   }
 
   double Diagonal = 0;

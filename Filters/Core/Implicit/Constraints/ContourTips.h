@@ -21,6 +21,9 @@ struct ContourTip
 {
   /// 1: the solid lies towards the level's normal; -1: the other way; 0: the contour is no tip.
   int Side = 0;
+  /// The wall of the section beside it is far enough for the surface to lie flat on the plane.
+  /// Where it is not (a tip upon an edge), the normal there is not known.
+  bool Flat = false;
 };
 
 /**

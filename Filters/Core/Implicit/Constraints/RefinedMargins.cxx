@@ -49,36 +49,33 @@ void RefinedMargins::AddTips(const ContourSet& contours, const ConstraintSet& in
   this->Start.MarginDistance = inPlane.MarginDistance;
   this->Start.LeftOut = inPlane.LeftOut;
   this->Start.Report = inPlane.Report;
+  Point3 vertex{ 0, 0, 0 };
   for (std::size_t i = 0; i < inPlane.Points.size(); ++i)
   {
     const int contour = inPlane.Contour[i];
-    const bool isTip = contour >= 0 && tips[contour].Side != 0;
-    const bool isVertex = inPlane.Kind[i] == ConstraintSet::Boundary;
-    if (!isTip || isVertex)
+    const int side = contour >= 0 ? tips[contour].Side : 0;
+    const int kind = inPlane.Kind[i];
+    if (kind == ConstraintSet::Boundary)
     {
-      Append(inPlane, i, this->Start);
+      vertex = inPlane.Points[i];
+      this->Tips += side != 0 ? 1 : 0;
     }
-    if (isTip && isVertex)
+    else if (side != 0 && !tips[contour].Flat)
+    {
+      continue;
+    }
+    Append(inPlane, i, this->Start);
+    if (side != 0)
     {
       this->TipContours[contour] = 1;
-      ++this->Tips;
-      const Vector3& normal = contours.Levels[contours.Contours[contour].Level].Frame.Normal;
-      this->AppendUpright(inPlane, i, tips[contour].Side * normal);
     }
-  }
-}
-
-/// Both margins, also where there was no room for them in the plane, in which a tip has none.
-void RefinedMargins::AppendUpright(
-  const ConstraintSet& inPlane, std::size_t vertex, const Vector3& inward)
-{
-  const double d = inPlane.MarginDistance;
-  for (const int side : { ConstraintSet::Inner, ConstraintSet::Outer })
-  {
-    Append(inPlane, vertex, this->Start);
-    this->Start.Points.back() = inPlane.Points[vertex] + (side * d) * inward;
-    this->Start.Values.back() = side * (this->Unit ? 1 : d);
-    this->Start.Kind.back() = side;
+    if (side != 0 && kind != ConstraintSet::Boundary)
+    {
+      const double d = inPlane.MarginDistance;
+      const Vector3& normal = contours.Levels[contours.Contours[contour].Level].Frame.Normal;
+      this->Start.Points.back() = vertex + (kind * side * d) * normal;
+      this->Start.Values.back() = kind * (this->Unit ? 1 : d);
+    }
   }
 }
 

@@ -30,7 +30,8 @@ namespace recon
  *    what a fit makes of them feeds on itself;
  *  - where they reach across a step (ConstraintOptions::ReachAcrossSteps);
  *  - where the second fit contradicts them (TakeBack).
- * Margins of tips (ContourTips.h) stand upright on the plane from the start.
+ * Margins of tips (ContourTips.h) stand upright on the plane from the start, and those of tips upon
+ * an edge are left out.
  */
 class RefinedMargins
 {
@@ -69,7 +70,6 @@ private:
   };
 
   void AddTips(const ContourSet& contours, const ConstraintSet& inPlane);
-  void AppendUpright(const ConstraintSet& inPlane, std::size_t vertex, const Vector3& inward);
   void ListVertices();
   double DistanceOf(const Vertex& vertex, int constraint) const;
   bool CanTurn(const Vertex& vertex) const;
