@@ -68,8 +68,8 @@ public:
   ///@{
   /**
    * InPlane: margins in the contours' planes (thesis). Refined, the default: a first fit tells how
-   * oblique the surface is to the planes, and margins are turned, or valued, by that, or reach across
-   * steps, whichever predicts left-out slices best (ContourFit.h).
+   * oblique the surface is to the planes, and margins are turned, or valued, by that, or reach
+   * across steps, whichever predicts left-out slices best (ContourFit.h).
    */
   vtkSetClampMacro(Normals, int, InPlane, Refined);
   vtkGetMacro(Normals, int);

@@ -10,7 +10,7 @@ import contourtesting as ct
 
 simple = ct.load_plugin()
 from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints, vtkStringArray
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData, vtkUnstructuredGrid
+from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkUnstructuredGrid
 
 NAN, INF = math.nan, math.inf
 
@@ -19,21 +19,6 @@ def producer(data):
     source = simple.TrivialProducer()
     source.GetClientSideObject().SetOutput(data)
     return source
-
-
-def loops(rings):
-    """Closed polylines."""
-    points, lines = vtkPoints(), vtkCellArray()
-    points.SetDataTypeToDouble()
-    for ring in rings:
-        ids = [points.InsertNextPoint(p) for p in ring]
-        lines.InsertNextCell(len(ids) + 1)
-        for i in ids + ids[:1]:
-            lines.InsertCellPoint(i)
-    data = vtkPolyData()
-    data.SetPoints(points)
-    data.SetLines(lines)
-    return data
 
 
 def ring(z, radius=5.0, count=12, x=0.0):
@@ -103,7 +88,7 @@ def told(kind, data, fragment, **properties):
     return out
 
 
-GOOD = loops([ring(z, 5 - abs(z) / 4) for z in (-4, -2, 0, 2, 4)])
+GOOD = ct.closed_polylines([ring(z, 5 - abs(z) / 4) for z in (-4, -2, 0, 2, 4)])
 CONSTRAINTS = ct.data(simple.ImplicitConstraints(Input=producer(GOOD)))
 MODEL = ct.data(simple.ImplicitFunction(Input=producer(CONSTRAINTS)))
 FROM_CONTOURS = (simple.ImplicitConstraints, simple.ImplicitSurface)
@@ -113,16 +98,16 @@ ct.check(MODEL.GetNumberOfPoints() > 0, "the good contours make no model")
 
 # Contours.
 for kind in FROM_CONTOURS:
-    refused(kind, loops([ring(0)]), "All contours lie in one plane")
-    refused(kind, loops([ring(0), ring(0, x=20)]), "All contours lie in one plane")
+    refused(kind, ct.closed_polylines([ring(0)]), "All contours lie in one plane")
+    refused(kind, ct.closed_polylines([ring(0), ring(0, x=20)]), "All contours lie in one plane")
     refused(kind, with_points(ring(0)), "points but no cells")
     for bad in (NAN, INF, -INF):
         broken = ring(4)
         broken[3] = (bad, 0, 4)
-        told(kind, loops([ring(0), ring(2), broken]), "not a finite number; left out")
-        refused(kind, loops([ring(0), broken]), "All contours lie in one plane")
-        refused(kind, loops([broken]), "not a finite number")
-    refused(kind, loops([[(0, 0, z), (1, 0, z)] for z in (0, 1)]), "No usable contour")
+        told(kind, ct.closed_polylines([ring(0), ring(2), broken]), "not a finite number; left out")
+        refused(kind, ct.closed_polylines([ring(0), broken]), "All contours lie in one plane")
+        refused(kind, ct.closed_polylines([broken]), "not a finite number")
+    refused(kind, ct.closed_polylines([[(0, 0, z), (1, 0, z)] for z in (0, 1)]), "No usable contour")
     for value in (-1.0, NAN, INF):
         refused(kind, GOOD, "MarginDistance must be positive", MarginDistance=value)
         refused(kind, GOOD, "ResampleSpacing must be positive", ResampleSpacing=value)

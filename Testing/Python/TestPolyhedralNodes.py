@@ -6,8 +6,6 @@ import contourtesting as ct
 
 simple = ct.load_plugin()
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
 
 def array(attributes, name):
@@ -18,19 +16,8 @@ def array(attributes, name):
 
 def loops(*polygons):
     """Contours of lists of points."""
-    points = vtkPoints()
-    points.SetDataTypeToDouble()
-    cells = vtkCellArray()
-    for polygon in polygons:
-        ids = [points.InsertNextPoint(p) for p in polygon]
-        cells.InsertNextCell(len(ids) + 1)
-        for i in ids + ids[:1]:
-            cells.InsertCellPoint(i)
-    data = vtkPolyData()
-    data.SetPoints(points)
-    data.SetLines(cells)
     producer = simple.PVTrivialProducer()
-    producer.GetClientSideObject().SetOutput(data)
+    producer.GetClientSideObject().SetOutput(ct.closed_polylines(polygons))
     return producer
 
 

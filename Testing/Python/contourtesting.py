@@ -56,6 +56,23 @@ def data(proxy, port=0):
     return proxy.GetClientSideObject().GetOutputDataObject(port)
 
 
+def closed_polylines(polygons):
+    """Contours of lists of points, as poly data in doubles."""
+    from vtkmodules.vtkCommonCore import vtkPoints
+    from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+    points, lines = vtkPoints(), vtkCellArray()
+    points.SetDataTypeToDouble()
+    for polygon in polygons:
+        ids = [points.InsertNextPoint(p) for p in polygon]
+        lines.InsertNextCell(len(ids) + 1)
+        for i in ids + ids[:1]:
+            lines.InsertCellPoint(i)
+    made = vtkPolyData()
+    made.SetPoints(points)
+    made.SetLines(lines)
+    return made
+
+
 def errors_of(function):
     """What VTK says while the function runs, kept from the test's own output."""
     from vtkmodules.vtkCommonCore import vtkFileOutputWindow, vtkLogger, vtkOutputWindow

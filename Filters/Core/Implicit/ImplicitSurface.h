@@ -34,7 +34,8 @@ struct ImplicitSurface
  * margins in the contours' planes.
  *
  * Where no bounds are given, the solid ends at the latest 0.4 of the levels' distance beyond the
- * first and the last of the levels that are parallel to a coordinate plane; but not on a side where contours of other levels reach farther, as they tell its end.
+ * first and the last of the levels that are parallel to a coordinate plane; but not on a side where
+ * contours of other levels reach farther, as they tell its end.
  *
  * @throws Error as the stages do; Aborted.
  */

@@ -45,8 +45,8 @@ struct ConstraintOptions
   double MarginDistance = 0;
   /// Where all planes are parallel and the next one says otherwise of a place as far from the
   /// contour as it is itself, the margin goes there (Values Distance only): the surface lies flat
-  /// there, as on the end of a brain stem whose slices are few. Not always, as it is less true where
-  /// the surface is round; left-out slices tell (ContourFit.h).
+  /// there, as on the end of a brain stem whose slices are few. Not always, as it is less true
+  /// where the surface is round; left-out slices tell (ContourFit.h).
   bool ReachAcrossSteps = false;
   /// Thesis 9.1: points of crossing planes that fit in a box of this part of the bounding box
   /// become their centroid. The thesis uses 0.05; 0 = none.

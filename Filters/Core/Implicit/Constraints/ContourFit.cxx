@@ -40,8 +40,7 @@ void ReportRefinement(const RefinedMargins& margins, ConstraintSet& set)
   {
     set.Report.push_back(std::to_string(kept) + " of " + std::to_string(margins.Vertices()) +
       " contour points keep margins in their plane, because the shape is too thin there to tell "
-      "its "
-      "normals, or refined ones would contradict a contour.");
+      "its normals, or refined ones would contradict a contour.");
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ContourPreview.h"
 
+#include "../../Contours/ContourSubset.h"
 #include "ContourResampling.h"
 
 #include <algorithm>
@@ -82,34 +83,6 @@ std::vector<char> LevelsApart(const ContourSet& contours, double cellSize)
   return kept;
 }
 
-/// The kept levels with those of their contours that are large enough. Points keep their numbers.
-ContourSet Part(const ContourSet& contours, const std::vector<char>& kept, double leastArea)
-{
-  ContourSet part = contours;
-  part.Levels.clear();
-  part.Contours.clear();
-  for (std::size_t l = 0; l < contours.Levels.size(); ++l)
-  {
-    Level level = contours.Levels[l];
-    level.Contours.clear();
-    for (const int c : contours.Levels[l].Contours)
-    {
-      if (kept[l] && std::abs(contours.Contours[c].SignedArea) >= leastArea)
-      {
-        level.Contours.push_back(static_cast<int>(part.Contours.size()));
-        part.Contours.push_back(contours.Contours[c]);
-        part.Contours.back().Level = static_cast<int>(part.Levels.size());
-        part.Contours.back().Parent = -1;
-      }
-    }
-    if (!level.Contours.empty())
-    {
-      part.Levels.push_back(level);
-    }
-  }
-  return part;
-}
-
 double LengthOf(const ContourSet& contours)
 {
   double length = 0;
@@ -128,8 +101,13 @@ double LengthOf(const ContourSet& contours)
 ContourSet ShownIn(const ContourSet& contours, double cellSize)
 {
   const std::vector<char> kept = LevelsApart(contours, cellSize);
-  ContourSet shown = Part(contours, kept, LeastArea * cellSize * cellSize);
-  return shown.Levels.size() < 2 ? Part(contours, kept, 0) : shown;
+  const auto part = [&](double leastArea)
+  {
+    return SubsetOf(contours,
+      [&](const Contour& c) { return kept[c.Level] && std::abs(c.SignedArea) >= leastArea; });
+  };
+  ContourSet shown = part(LeastArea * cellSize * cellSize);
+  return shown.Levels.size() < 2 ? part(0) : shown;
 }
 
 /// Thinned out with growing spacings; the fewest points that were found.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "LeftOutSlices.h"
 
+#include "../../Contours/ContourSubset.h"
 #include "../SubMonitor.h"
 #include "../Summation/FunctionEvaluator.h"
 #include "ContourTips.h"
@@ -18,32 +19,16 @@ constexpr std::size_t MostConstraintsForAllTurns = 12000;
 /// Differences below this part of the gap between the contours decide nothing.
 constexpr double TieOfGap = 0.01;
 
-/// The levels that are, or are not, left out in a turn. Points keep their numbers.
+/// The contours of the levels that are, or are not, left out in a turn.
 ContourSet Part(const ContourSet& contours, int turn, bool leftOut)
 {
-  ContourSet part = contours;
-  part.Levels.clear();
-  part.Contours.clear();
-  for (std::size_t l = 0; l < contours.Levels.size(); ++l)
-  {
-    const bool isLeftOut =
-      static_cast<int>(l % LeaveOutEvery) == turn && l > 0 && l + 1 < contours.Levels.size();
-    if (isLeftOut != leftOut)
+  const int last = static_cast<int>(contours.Levels.size()) - 1;
+  return SubsetOf(contours,
+    [&](const Contour& contour)
     {
-      continue;
-    }
-    Level level = contours.Levels[l];
-    for (int& c : level.Contours)
-    {
-      Contour contour = contours.Contours[c];
-      contour.Level = static_cast<int>(part.Levels.size());
-      contour.Parent = -1;
-      c = static_cast<int>(part.Contours.size());
-      part.Contours.push_back(contour);
-    }
-    part.Levels.push_back(level);
-  }
-  return part;
+      const int l = contour.Level;
+      return (l % LeaveOutEvery == turn && l > 0 && l < last) == leftOut;
+    });
 }
 
 /// Distance, to first order, of the contours' vertices from the function's surface.
@@ -83,20 +68,20 @@ LeftOutSlices::LeftOutSlices(const ContourSet& contours, const ConstraintOptions
   const int count = 3 * contours.Points.size() > MostConstraintsForAllTurns ? 1 : LeaveOutEvery;
   for (int i = 0; i < count; ++i)
   {
-    Turn turn;
-    turn.Seen = Part(contours, (i + 1) % LeaveOutEvery, false);
-    turn.Unseen = Part(contours, (i + 1) % LeaveOutEvery, true);
-    if (turn.Unseen.Contours.empty())
+    ContourSet seen = Part(contours, (i + 1) % LeaveOutEvery, false);
+    ContourSet unseen = Part(contours, (i + 1) % LeaveOutEvery, true);
+    if (unseen.Contours.empty())
     {
       continue;
     }
     SubMonitor fitting(
       monitor, static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
-    const ConstraintSet inPlane = BuildInPlaneConstraints(turn.Seen, this->Constraints, fitting);
-    turn.First.emplace_back(turn.Seen, inPlane, false, this->Function, fitting);
-    turn.Misses =
-      Misses(turn.First.front().Function(), turn.Unseen, this->Function.Threads, fitting);
-    this->Turns.push_back(std::move(turn));
+    const ConstraintSet inPlane = BuildInPlaneConstraints(seen, this->Constraints, fitting);
+    MarginFit first(seen, inPlane, false, this->Function, fitting);
+    std::vector<double> misses =
+      Misses(first.Function(), unseen, this->Function.Threads, fitting);
+    this->Turns.push_back(
+      { std::move(seen), std::move(unseen), std::move(first), std::move(misses) });
   }
 }
 
@@ -112,9 +97,8 @@ std::vector<double> LeftOutSlices::MissesOf(
     const MarginFit fit(turn.Seen, reaching, false, this->Function, monitor);
     return Misses(fit.Function(), turn.Unseen, threads, monitor);
   }
-  MarginFit fit = turn.First.front();
-  const ImplicitFunction normals = fit.Function();
-  fit.Refine(normals, way == MarginWay::Turned ? TurnedPart : 0, monitor);
+  MarginFit fit = turn.First;
+  fit.Refine(turn.First.Function(), way == MarginWay::Turned ? TurnedPart : 0, monitor);
   return Misses(fit.Function(), turn.Unseen, threads, monitor);
 }
 

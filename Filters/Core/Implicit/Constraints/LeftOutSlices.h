@@ -22,8 +22,8 @@ enum class MarginWay
 };
 
 /// How far margins turn that are judged by left-out slices. Measured on sets with a reference
-/// surface: eight_15 .00178 in the planes, .00115 at .15, .00099 at .3, .00098 at .5, .00122 all the
-/// way (mean distance).
+/// surface: eight_15 .00178 in the planes, .00115 at .15, .00099 at .3, .00098 at .5, .00122 all
+/// the way (mean distance).
 constexpr double TurnedPart = 0.5;
 
 /// A vote of vertices, not a mean: where nothing predicts the surface, at branchings, all ways miss
@@ -64,8 +64,8 @@ private:
   {
     ContourSet Seen;
     ContourSet Unseen;
-    std::vector<MarginFit> First; ///< one
-    std::vector<double> Misses;   ///< its distances from the vertices of Unseen
+    MarginFit First;
+    std::vector<double> Misses; ///< its distances from the vertices of Unseen
   };
 
   std::vector<double> MissesOf(const Turn& turn, MarginWay way, Monitor& monitor) const;

@@ -22,8 +22,8 @@ public:
     const FunctionOptions& options, Monitor& monitor);
 
   /**
-   * Turns the margins by a part of the way to a fit's normals (RefinedMargins.h), and fits again; as
-   * long as that contradicts some of them, these are taken back, a few times at most.
+   * Turns the margins by a part of the way to a fit's normals (RefinedMargins.h), and fits again;
+   * as long as that contradicts some of them, these are taken back, a few times at most.
    *
    * @param normals the fit that tells the normals: this one's function, or a better one.
    * @throws Error, Aborted

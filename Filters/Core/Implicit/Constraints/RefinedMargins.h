@@ -13,17 +13,18 @@ namespace recon
 {
 /**
  * @class RefinedMargins
- * @brief Tells the margins of in-plane constraints how the surface stands on their planes, vertex by
- * vertex.
+ * @brief Tells the margins of in-plane constraints how the surface stands on their planes, vertex
+ * by vertex.
  *
- * Notation: d the margin distance; at one vertex n the direction of the inner margin in the plane, g
- * the normal of a first fit towards the solid, u the direction of the margin when it is refined.
+ * Notation: d the margin distance; at one vertex n the direction of the inner margin in the plane,
+ * g the normal of a first fit towards the solid, u the direction of the margin when it is refined.
  *
- * A margin at t u gets the value t (u . g), its distance from the tangent plane, where it had t. Where
- * the surface is oblique to the plane that is less than t, and the in-plane value claims too steep a
- * function. A part of 0 leaves the margin where it was (u = n) and only values it anew, 1 stands it
- * along g. Between them, the margin's place depends less on the first fit, whose normals are worst
- * where the slices are too far apart; on densely cut shapes half way was nearest to the truth.
+ * A margin at t u gets the value t (u . g), its distance from the tangent plane, where it had t.
+ * Where the surface is oblique to the plane that is less than t, and the in-plane value claims too
+ * steep a function. A part of 0 leaves the margin where it was (u = n) and only values it anew, 1
+ * stands it along g. Between them, the margin's place depends less on the first fit, whose normals
+ * are worst where the slices are too far apart; on densely cut shapes half way was nearest to the
+ * truth.
  *
  * A vertex keeps its margins as they were in the plane
  *  - where the contour left no room for them there: thin walls say little about their normals, and
@@ -50,8 +51,8 @@ public:
   void Turn(const ImplicitFunction& first, double part, int threads, Monitor& monitor);
 
   /**
-   * Puts those margins back as they were in the plane that the second fit contradicts: its normal there is
-   * another one, or an in-plane margin is on the wrong side of its surface.
+   * Puts those margins back as they were in the plane that the second fit contradicts: its normal
+   * there is another one, or an in-plane margin is on the wrong side of its surface.
    *
    * @returns how many vertices that were. @throws Aborted
    */
