@@ -28,6 +28,8 @@ constexpr double LeastGain = 0.5;
 constexpr int MaximumSteps = 2000;
 /// Exact sums up to so many centres: there they are the faster ones (measured).
 constexpr std::size_t ExactSums = 16000;
+/// And in place of the finest fast ones, whose operators must be computed first.
+constexpr std::size_t ExactSumsOrFinest = 60000;
 /**
  * A product's error times the step's length stays in the residual. This is the part of the aim that
  * accuracy times the sum of the step's |w_j| may take: kernels are up to 8, projecting multiplies
@@ -97,7 +99,8 @@ public:
   {
     if (centres.size() > ExactSums)
     {
-      this->Fast = std::make_unique<FastKernelSum>(centres, FastKernelSum::FinestAccuracy, threads);
+      this->Fast =
+        std::make_unique<FastKernelSum>(centres, FastKernelSum::FinestQuickAccuracy, threads);
     }
   }
 
@@ -105,32 +108,43 @@ public:
 
   Vector operator()(const Vector& w, double accuracy, Monitor& monitor)
   {
-    return this->Fast ? this->Summed(w, accuracy, monitor) : this->Exact(w, monitor);
+    const double asked =
+      std::clamp(accuracy, FastKernelSum::FinestQuickAccuracy, LoosestAccuracy);
+    return this->Fast ? this->Summed(w, asked, monitor) : this->Exact(w, monitor);
   }
 
-  /// Off by no more than is allowed, as far as a sample tells: by exact sums where the fast ones
-  /// are not so accurate.
+  /// Off by no more than is allowed, as far as a sample tells: by the finest fast sums, or exact
+  /// ones, where those of the steps are not so accurate.
   Vector WithinError(const Vector& w, double allowed, Monitor& monitor)
   {
-    if (this->Fast)
+    if (!this->Fast)
     {
-      Vector y = this->Summed(w, FastKernelSum::FinestAccuracy, monitor);
+      return this->Exact(w, monitor);
+    }
+    Vector y = this->Summed(w, FastKernelSum::FinestQuickAccuracy, monitor);
+    if (this->Fast->SampledError(y, ErrorSamples) <= allowed)
+    {
+      return y;
+    }
+    ++this->TimesNotEnough;
+    if (this->Centres.size() > ExactSumsOrFinest)
+    {
+      y = this->Summed(w, FastKernelSum::FinestAccuracy, monitor);
       if (this->Fast->SampledError(y, ErrorSamples) <= allowed)
       {
         return y;
       }
-      ++this->TimesNotEnough;
     }
     return this->Exact(w, monitor);
   }
 
-  /// How often fast sums were not accurate enough to judge by.
+  /// How often the sums of the steps were not accurate enough to judge by.
   int TimesNotEnough = 0;
 
 private:
   Vector Summed(const Vector& w, double accuracy, Monitor& monitor)
   {
-    this->Fast->SetAccuracy(std::clamp(accuracy, FastKernelSum::FinestAccuracy, LoosestAccuracy));
+    this->Fast->SetAccuracy(accuracy);
     this->Fast->SetWeights(w, monitor);
     return this->Fast->ValuesAtCentres(monitor);
   }

@@ -20,9 +20,9 @@ using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowM
 using Degrees = std::array<int, 3>;
 
 constexpr double Pi = 3.14159265358979323846;
-/// Lower orders are parts of this one's operators, higher ones of LargestOrder's: those take longer
-/// to compute.
-constexpr int MiddleOrder = 10;
+/// An order's operators are part of those of the next one of these, which alone are computed: high
+/// ones take long.
+constexpr std::array<int, 3> ComputedOrders{ 10, LargestQuickOrder, LargestOrder };
 /// Entries below this part of the truncation's error are left out; a tenth would take 1.6 times the
 /// time for an error that is half as large at most.
 constexpr double NegligiblePart = 0.5;
@@ -408,18 +408,17 @@ ChebyshevOperators::ChebyshevOperators(int order) : P(order)
   }
 }
 
-void ChebyshevOperators::Compute(int threads)
+void ChebyshevOperators::Compute(int threads, Monitor& monitor)
 {
   // |2 o + u|^3 is less smooth in u than in x and y; what a few more terms add is below 1e-13.
   const Matrix table = DifferenceTable(this->P, 2 * this->P + 10);
-  Monitor silent; // who waits for the operators is not here
   ParallelFor(Classes, threads,
     [&](int c)
     {
       this->Far[c] =
         Compress(FarFieldMatrix(this->P, CanonicalOffsets()[c], table), Negligible(this->P, c));
     },
-    silent, {});
+    monitor, { 0, 1, "preparing sums of kernels" });
 }
 
 void ChebyshevOperators::TakeFrom(const ChebyshevOperators& higher)
@@ -436,29 +435,44 @@ void ChebyshevOperators::TakeFrom(const ChebyshevOperators& higher)
   }
 }
 
-const ChebyshevOperators& ChebyshevOperators::OfOrder(int order, int threads)
+const ChebyshevOperators& ChebyshevOperators::Shared(int order, int threads, Monitor& monitor)
 {
   static std::mutex mutex;
   static std::array<std::unique_ptr<ChebyshevOperators>, LargestOrder + 1> all;
   const std::lock_guard<std::mutex> lock(mutex);
   // Always from the same series, so that no bit depends on what was asked for before.
-  const int computed = order <= MiddleOrder ? MiddleOrder : LargestOrder;
+  const int computed = *std::lower_bound(ComputedOrders.begin(), ComputedOrders.end(), order);
   for (const int wanted : { computed, order })
   {
     if (!all[wanted])
     {
-      all[wanted].reset(new ChebyshevOperators(wanted));
-      wanted == computed ? all[wanted]->Compute(threads) : all[wanted]->TakeFrom(*all[computed]);
+      std::unique_ptr<ChebyshevOperators> made(new ChebyshevOperators(wanted));
+      wanted == computed ? made->Compute(threads, monitor) : made->TakeFrom(*all[computed]);
+      all[wanted] = std::move(made);
     }
   }
   return *all[order];
+}
+
+const ChebyshevOperators& ChebyshevOperators::OfOrder(int order)
+{
+  Monitor silent;
+  return ChebyshevOperators::Shared(order, 1, silent);
+}
+
+void ChebyshevOperators::Prepare(int order, int threads, Monitor& monitor)
+{
+  ChebyshevOperators::Shared(order, threads, monitor);
 }
 
 double ChebyshevOperators::RelativeError(int order)
 {
   // Measured for p = 4..10: 3.1e-5 3.7e-6 5.8e-7 1.1e-7 2.2e-8 5.0e-9 1.3e-9; then more slowly.
   const int steep = std::min(order, 10);
-  return 3.1e-5 * std::pow(0.186, steep - 4) * std::pow(0.22, order - steep);
+  const int high = std::max(order, LargestQuickOrder);
+  return 3.1e-5 * std::pow(0.186, steep - 4) *
+    std::pow(0.22, std::min(order, LargestQuickOrder) - steep) *
+    std::pow(0.31, high - LargestQuickOrder);
 }
 
 int ChebyshevOperators::OrderFor(double relativeError)

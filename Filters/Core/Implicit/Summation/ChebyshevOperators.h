@@ -14,6 +14,8 @@
 #ifndef recon_ChebyshevOperators_h
 #define recon_ChebyshevOperators_h
 
+#include "../../Monitor.h"
+
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -23,7 +25,9 @@ namespace recon
 /// Expansions of one order side by side in the inner loops: one interaction a lane.
 constexpr int ExpansionLanes = 16;
 constexpr int LeastOrder = 3;
-constexpr int LargestOrder = 17;
+constexpr int LargestOrder = 20;
+/// Operators of higher orders take 2.5 CPU s to compute, once in a process, and 140 MB.
+constexpr int LargestQuickOrder = 17;
 
 /// Products T_i T_j T_k with i + j + k <= order.
 constexpr int CoefficientCount(int order)
@@ -74,8 +78,9 @@ public:
   static constexpr int Turns = 48;
 
   /// @param order LeastOrder..LargestOrder
-  /// @param threads that may compute them on first use
-  static const ChebyshevOperators& OfOrder(int order, int threads = 1);
+  static const ChebyshevOperators& OfOrder(int order);
+  /// Has OfOrder's ready before it is asked, by several threads. @throws Aborted, none the worse.
+  static void Prepare(int order, int threads, Monitor& monitor);
 
   int Order() const { return this->P; }
   /// l += (moments) for a canonical offset and boxes of half-width 1; times h^3 otherwise.
@@ -92,8 +97,10 @@ public:
   static int Reflection(int bits);
 
 private:
+  static const ChebyshevOperators& Shared(int order, int threads, Monitor& monitor);
+
   explicit ChebyshevOperators(int order);
-  void Compute(int threads);
+  void Compute(int threads, Monitor& monitor);
   /// The series' coefficients do not depend on where it is cut off.
   void TakeFrom(const ChebyshevOperators& higher);
 

@@ -204,7 +204,7 @@ public:
   {
     if (!(accuracy >= FinestAccuracy && accuracy <= CoarsestAccuracy))
     {
-      throw Error("The accuracy of the fast sum must lie between 1e-13 and 1e-3.");
+      throw Error("The accuracy of the fast sum must lie between 5e-15 and 1e-3.");
     }
     this->NextOrders.clear();
     double allowed = RmsOfLargest * accuracy;
@@ -232,7 +232,7 @@ public:
     // Ahead of the pieces of work that would wait for one of them to compute what is missing.
     for (int level = FirstFarLevel; level < this->Tree.Levels(); ++level)
     {
-      ChebyshevOperators::OfOrder(this->Orders[level], this->Threads);
+      ChebyshevOperators::Prepare(this->Orders[level], this->Threads, monitor);
     }
     this->Prepared = false;
     this->FillLeaves(monitor);

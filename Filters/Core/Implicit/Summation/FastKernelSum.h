@@ -32,18 +32,17 @@ namespace recon
  * of the numbers at p = 7.
  *
  * **Accuracy.** The error of s(x) is at most a times the largest sum_j |w_j| |c_i - c_j|^3 of all
- * centres, whatever the weights (tested for a = 1e-3 to 1e-12; orders
- * end at 17, so that at 1e-13 up to 3e-13 was measured). The order p falls with the size of
- * the boxes, as the kernel does (a variable order: Tausch 2004). Weights of contour constraints
- * nearly cancel (three a point: inside, on, outside), so that s itself can be 1e-5 of that sum: ask
- * for an accuracy that much finer, and let SampledError() measure what came of it against exact
- * sums.
+ * centres, whatever the weights (tested for a = 1e-3 to 5e-15, where rounding begins). The order p
+ * falls with the size of the boxes, as the kernel does (a variable order: Tausch 2004). Weights of
+ * contour constraints nearly cancel (three a point: inside, on, outside), so that s itself can be
+ * 1e-5 of that sum: ask for an accuracy that much finer, and let SampledError() measure what came
+ * of it against exact sums.
  *
  * **Time.** One thread, AVX-512, CPU seconds for SetWeights and ValuesAtCentres on a surface of
  * 100 800 centres: 0.10 at 1e-7, 0.20 at 1e-10, 0.45 at 1e-12; for a million 1.8 at 1e-10 and
  * 0.5 GB. All pairs take 0.56 ns each, so that they are faster below some 4 000 centres at 1e-8 and
  * 11 000 at 1e-12; the operators of orders above 10 (accuracies below 1e-9) take half a second once
- * in a process.
+ * in a process, those above 17 two more and 140 MB.
  *
  * Results are the same to the last bit for any number of threads; they may differ in the last bits
  * between processors that fuse a product and a sum and those that do not.
@@ -52,7 +51,9 @@ class FastKernelSum
 {
 public:
   static constexpr double CoarsestAccuracy = 1e-3;
-  static constexpr double FinestAccuracy = 1e-13;
+  static constexpr double FinestAccuracy = 5e-15;
+  /// Orders up to LargestQuickOrder are enough for it.
+  static constexpr double FinestQuickAccuracy = 1.1e-13;
 
   /**
    * Sorts the centres and finds which boxes act on which; no weights yet (all 0).

@@ -46,10 +46,9 @@ double HalfRange(const ImplicitFunction& function)
   return *largest > *least ? 0.5 * (*largest - *least) : 1;
 }
 
-double Clamped(double accuracy)
+double Clamped(double accuracy, double finest)
 {
-  return std::min(
-    FastKernelSum::CoarsestAccuracy, std::max(FastKernelSum::FinestAccuracy, accuracy));
+  return std::min(FastKernelSum::CoarsestAccuracy, std::max(finest, accuracy));
 }
 }
 
@@ -74,7 +73,9 @@ FastKernelSum& FunctionEvaluator::Fast(Monitor& monitor) const
     return *this->Sum;
   }
   const double allowed = AskedError * HalfRange(this->Function);
-  double accuracy = Clamped(Reserve * allowed / SizeOfTerms(this->Function));
+  // Terms that cancel less than is feared need no more than that; what is measured tells.
+  double accuracy = Clamped(
+    Reserve * allowed / SizeOfTerms(this->Function), FastKernelSum::FinestQuickAccuracy);
   auto sum = std::make_unique<FastKernelSum>(this->Function.Centres, accuracy, this->Threads);
   for (;;)
   {
@@ -84,7 +85,8 @@ FastKernelSum& FunctionEvaluator::Fast(Monitor& monitor) const
     {
       break;
     }
-    accuracy = Clamped(std::min(0.1, 0.5 * allowed / this->Error) * accuracy);
+    accuracy = Clamped(
+      std::min(0.1, 0.5 * allowed / this->Error) * accuracy, FastKernelSum::FinestAccuracy);
     sum->SetAccuracy(accuracy);
   }
   this->Sum = std::move(sum);
