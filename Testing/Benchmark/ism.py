@@ -9,8 +9,8 @@ matplotlib for the plot, are installed into an environment in the build folder (
 minutes; real sets alone are --shapes= --real ..., and the full run is --sizes 3000,10020,29700,100800,300000,1000000 --distances 0.01,0.003 --real lung,body,vetebrae
 --evaluate 1000000 --surface.
 
-Where the direct solver is run, a line tells how Automatic's choice compares with the faster of both; --check fails where that is more
-than 1.5 times, or a real set misses a constraint by more than 1e-4 of the largest value.
+Lines between tell how the figures compare: Automatic's choice with the faster solver, two threads with one, this plugin with ferreus_rbf,
+the largest fit of a kind with the least. --check fails where one of these is worse than the limits at the head of this file.
 
 Generated shapes have values 0, +1, -1 at a point of the surface and d inside and outside of it in its slice's plane:
 ball       r = R (1 + 0.12 R sin(3t + 2z) + 0.05 R cos(5t - 4z)), R = sqrt(1 - z^2), on parallel slices
@@ -29,9 +29,17 @@ import numpy
 HERE = os.path.dirname(os.path.abspath(__file__))
 SHARED = os.environ.get("CONTOUR_SHARED_DATA", os.path.join(os.environ["CONTOUR_SOURCE_DIR"], "..", "shared", "data"))
 FOLDER = os.path.join(os.environ["CONTOUR_BIN_DIR"], "..", "bench-ism")
-WORST_CHOICE = 1.5
-MISFIT_OF_REAL = 1e-4
 DENSE_LIMIT = 10100  # above, a dense solver takes minutes and gigabytes
+TOLERANCE = 1e-5  # that fits are asked for, as a part of the largest value
+
+# What --check holds the figures against. Times are processor seconds.
+WORST_CHOICE = 1.5  # automatic : the faster solver
+MISFIT_OF_REAL = 1e-4  # of the largest value
+SCALES_FROM = 25000  # constraints, above which the limits below are meant
+LEAST_SPEEDUP = 1.7  # 1 thread : 2 threads, wall, of fit and evaluation
+MOST_OF_RIVAL = {"fit_cpu": 0.5, "megabytes": 0.5, "evaluate_cpu": 0.33, "surface_cpu": 0.5}  # ours : ferreus_rbf, 2 threads
+GROWTH_OVER = 8  # times as many constraints, from which on growth is told
+WORST_GROWTH = 1.2  # exponent of the fit's time
 
 
 def triples(points, normals, d):
@@ -159,7 +167,7 @@ class Bench:
     def measure(self, label, constraints):
         file = os.path.join(FOLDER, f"constraints-{os.getpid()}.bin")
         constraints.tofile(file)
-        n, scale = len(constraints), abs(constraints[:, 3]).max()
+        n, scale, first = len(constraints), abs(constraints[:, 3]).max(), len(self.rows)
         size = numpy.linalg.norm(constraints[:, :3].max(axis=0) - constraints[:, :3].min(axis=0))
         cell = 0.004 * size if self.options.surface else 0
         ours = [os.path.join(os.environ["CONTOUR_BIN_DIR"], "bench_ism"), file]
@@ -174,15 +182,48 @@ class Bench:
             self.add(label, scale, "iterative", threads, ours + ["--solver", "iterative", "--threads", str(threads)] + extra)
         if n <= DENSE_LIMIT:
             self.add(label, scale, "automatic", 2, ours + ["--threads", "2"])
-            self.judge_choice(label, n)
+            self.judge_choice(label, n, self.rows[first:])
         if rival:
-            self.add(label, scale, "ferreus", 2, rival + ["ferreus", str(1e-5 * scale), str(self.options.evaluate), str(cell)])
+            self.add(label, scale, "ferreus", 2, rival + ["ferreus", str(TOLERANCE * scale), str(self.options.evaluate), str(cell)])
         os.remove(file)
+        if n >= SCALES_FROM:
+            self.judge_scale(label, n, self.rows[first:])
 
+    def judge_scale(self, label, n, rows):
+        """The rows of one measure()."""
+        one, two, rival = (next((r for r in rows if (r["solver"], r["threads"]) == key and "fit_cpu" in r), None)
+                           for key in (("iterative", 1), ("iterative", 2), ("ferreus", 2)))
+        if not two:
+            self.faults.append(f"{label} {n}: no fit")
+            return
+        for what in ("fit_wall", "evaluate_wall", "surface_wall"):
+            if one and what in two:
+                speedup = one[what] / two[what]
+                print(f"{label:22s} {n:8d} {what}: 2 threads are {speedup:.2f} times as fast as 1", flush=True)
+                if speedup < LEAST_SPEEDUP and what != "surface_wall":
+                    self.faults.append(f"{label} {n}: 2 threads are only {speedup:.2f} times as fast as 1 ({what})")
+        for what, most in MOST_OF_RIVAL.items():
+            if rival and what in two and what in rival:
+                ratio = two[what] / rival[what]
+                print(f"{label:22s} {n:8d} {what}: {ratio:.2f} of ferreus", flush=True)
+                if ratio > most:
+                    self.faults.append(f"{label} {n}: {what} is {ratio:.2f} of ferreus")
 
-    def judge_choice(self, label, n):
+    def judge_generated(self, label):
+        """Fits of one kind of growing size: all converge, and time hardly grows faster than they do."""
+        mine = [r for r in self.rows if (r["set"], r["solver"], r["threads"]) == (label, "iterative", 2) and "fit_cpu" in r]
+        self.faults += [f"{label} {r['constraints']}: misfit {r['misfit']:.1e}" for r in mine if not r["misfit"] <= TOLERANCE]
+        large = [r for r in mine if r["constraints"] >= SCALES_FROM]
+        if len(large) < 2 or large[-1]["constraints"] < GROWTH_OVER * large[0]["constraints"]:
+            return
+        exponent = numpy.log(large[-1]["fit_cpu"] / large[0]["fit_cpu"]) / numpy.log(large[-1]["constraints"] / large[0]["constraints"])
+        print(f"{label:22s} growth exponent from {large[0]['constraints']} to {large[-1]['constraints']}: {exponent:.2f}", flush=True)
+        if exponent > WORST_GROWTH:
+            self.faults.append(f"{label}: time grows with the power of {exponent:.2f}")
+
+    def judge_choice(self, label, n, rows):
         """Automatic takes one of both: judged by that one's own time, so that noise between two runs of it does not count."""
-        mine = {r["solver"]: r for r in self.rows[-6:] if r["set"] == label and r["threads"] == 2 and "fit_cpu" in r}
+        mine = {r["solver"]: r for r in rows if r["threads"] == 2 and "fit_cpu" in r}
         if not {"direct", "iterative", "automatic"} <= mine.keys():
             return
         chosen = "iterative" if mine["automatic"]["iterations"] else "direct"
@@ -245,6 +286,7 @@ def main():
                 # A margin of more than half the plate would lie outside of its other face.
                 margin = min(d, 0.004) if shape == "thin" else d
                 bench.measure(f"{shape} d={margin:g}", SHAPES[shape](size // 3, margin))
+            bench.judge_generated(f"{shape} d={margin:g}")
     for name in filter(None, options.real.split(",")):
         constraints = real(name)
         if constraints is not None:
@@ -262,4 +304,5 @@ def main():
         sys.exit(1)
 
 
-main()
+if __name__ == "__main__":
+    main()
