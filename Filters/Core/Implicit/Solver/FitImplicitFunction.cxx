@@ -80,8 +80,9 @@ double DiagonalOf(const std::vector<Point3>& points)
 
 /// Constraints at one place become one, at the place of the first, with the mean of their values.
 Constraints MergeDuplicates(const std::vector<Point3>& points, const std::vector<double>& values,
-  double distance, std::vector<std::string>& report)
+  double distance, std::vector<std::string>& report, Monitor& monitor)
 {
+  constexpr std::size_t PointsPerUpdate = 16384;
   const auto [least, largest] = std::minmax_element(values.begin(), values.end());
   const double sameValue = 1e-9 * (*largest - *least);
   const PointGrid grid(points, distance);
@@ -92,6 +93,10 @@ Constraints MergeDuplicates(const std::vector<Point3>& points, const std::vector
   std::string example;
   for (std::size_t i = 0; i < points.size(); ++i)
   {
+    if (i % PointsPerUpdate == 0)
+    {
+      monitor.Update(0, "merging constraints in one place");
+    }
     if (taken[i])
     {
       continue;
@@ -526,7 +531,7 @@ ImplicitFunction FitImplicitFunction(const std::vector<Point3>& points,
   ImplicitFunction function;
   const double distance = std::max(options.MergeTolerance, 1e-15) * diagonal;
   const Constraints merged = diagonal > 0
-    ? MergeDuplicates(points, values, distance, function.Report)
+    ? MergeDuplicates(points, values, distance, function.Report, monitor)
     : Constraints{ { points.front() }, { values.front() } };
   const Fitter fitter(merged, options);
   if (merged.Points.size() < 4 || fitter.Flat())

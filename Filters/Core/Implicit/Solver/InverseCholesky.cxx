@@ -22,8 +22,10 @@ namespace recon
 {
 namespace
 {
+constexpr const char* Stage = "preparing the solver";
 constexpr int Simplex = MaxMinOrder::Simplex;
 constexpr int GroupsPerPiece = 8;
+constexpr int GroupsPerUpdate = 1024;
 constexpr int RowsPerPiece = 4096;
 /// Kernels in the unit ball are up to 8, so a pivot below this has lost most of its digits to
 /// rounding, as where two points are 1e-4 of the ball apart: such a group is factorised again in
@@ -261,7 +263,9 @@ InverseCholesky::InverseCholesky(
     Options(options)
 {
   this->FindSimplex();
+  monitor.Update(0, Stage);
   this->FindGroups();
+  monitor.Update(0, Stage);
   this->FindSets(monitor);
   const int pieces = PiecesOf(this->Groups.size(), GroupsPerPiece);
   ParallelFor(pieces, options.Threads,
@@ -275,7 +279,7 @@ InverseCholesky::InverseCholesky(
         this->Factorise(g, work);
       }
     },
-    monitor, { 0.2, 1, "preparing the solver" });
+    monitor, { 0.2, 1, Stage });
   this->FindSlots();
 }
 
@@ -422,11 +426,15 @@ void InverseCholesky::FindSets(Monitor& monitor)
         find(g);
       }
     },
-    monitor, { 0, 0.2, "preparing the solver" });
+    monitor, { 0, 0.2, Stage });
 
   std::size_t entries = 0;
   for (int g = 0; g < count; ++g)
   {
+    if (g % GroupsPerUpdate == 0)
+    {
+      monitor.Update(0.2, Stage);
+    }
     const std::vector<int>& members = this->MembersOf[g];
     const std::vector<int>& set = sets[g];
     this->Groups.push_back({ this->Sets.size(), entries, static_cast<int>(set.size()),
@@ -441,6 +449,7 @@ void InverseCholesky::FindSets(Monitor& monitor)
     sets[g] = {};
   }
   this->MembersOf = {};
+  monitor.Update(0.2, Stage);
   this->Entries.resize(entries);
 }
 

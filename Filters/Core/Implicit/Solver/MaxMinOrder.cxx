@@ -11,6 +11,7 @@ namespace recon
 {
 namespace
 {
+constexpr const char* Stage = "ordering the constraints";
 constexpr int PointsPerLeaf = 12;
 constexpr int RanksPerUpdate = 4096;
 
@@ -35,7 +36,9 @@ double Distance2Between(const Point3& a, const Point3& b)
 MaxMinOrder::MaxMinOrder(const std::vector<Point3>& points, Monitor& monitor)
 {
   const std::size_t n = points.size();
+  monitor.Update(0, Stage);
   this->Build(points);
+  monitor.Update(0, Stage);
   this->Distance2.assign(n, std::numeric_limits<double>::max());
   this->RankOf.assign(n, -1);
   this->ByRank.reserve(n);
@@ -164,7 +167,7 @@ void MaxMinOrder::RankRest(Monitor& monitor)
     if (this->ByRank.size() % RanksPerUpdate == 0)
     {
       monitor.Update(static_cast<double>(this->ByRank.size()) / static_cast<double>(n),
-        "ordering the constraints");
+        Stage);
     }
   }
 }
