@@ -391,7 +391,8 @@ private:
     this->Previous = this->R;
     this->PreviousProduct = product;
 
-    const double accuracy = this->ErrorShare * aim / (this->Alpha * SumOfSizes(this->Direction));
+    const double size = SumOfSizes(this->Direction);
+    const double accuracy = this->ErrorShare * aim / (this->Alpha * size);
     const Vector y = this->Inverse.Project(this->Product(this->Direction, accuracy));
     const double alpha =
       recon::Product(this->Direction, this->R) / recon::Product(this->Direction, y);
@@ -405,9 +406,8 @@ private:
       this->R[i] -= alpha * y[i];
     }
     this->Alpha = alpha;
-    this->LastError = this->Multiply.IsExact()
-      ? 0
-      : FastKernelSum::FinestQuickAccuracy * alpha * SumOfSizes(this->Direction) / aim;
+    this->LastError =
+      this->Multiply.IsExact() ? 0 : FastKernelSum::FinestQuickAccuracy * alpha * size / aim;
     this->Errors += this->LastError;
     ++this->Steps;
     return true;
