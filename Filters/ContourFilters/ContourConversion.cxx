@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ContourConversion.h"
 
-#include "Monitor.h"
+#include "Base/Monitor.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCellArray.h"

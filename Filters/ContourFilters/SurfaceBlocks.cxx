@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "SurfaceBlocks.h"
 
-#include "Monitor.h"
+#include "Base/Monitor.h"
 
 #include "vtkCompositeDataSet.h"
 #include "vtkDataObjectTree.h"

@@ -11,7 +11,7 @@
 #ifndef vtkContourMonitor_h
 #define vtkContourMonitor_h
 
-#include "Monitor.h"
+#include "Base/Monitor.h"
 
 #include "vtkAlgorithm.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "BRepFormatter.h"
+#include "BRep/BRepFormatter.h"
 
-#include "TextFile.h"
+#include "Common/TextFile.h"
 
 #include <cmath>
 

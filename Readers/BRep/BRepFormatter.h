@@ -6,8 +6,8 @@
 #ifndef recon_BRepFormatter_h
 #define recon_BRepFormatter_h
 
+#include "Base/Monitor.h"
 #include "Mesh/BRep.h"
-#include "Monitor.h"
 
 #include <string>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "BRepParser.h"
+#include "BRep/BRepParser.h"
 
-#include "TextFile.h"
-#include "TextScanner.h"
+#include "Common/TextFile.h"
+#include "Common/TextScanner.h"
 
 #include <utility>
 

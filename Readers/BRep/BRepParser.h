@@ -23,8 +23,8 @@
 #ifndef recon_BRepParser_h
 #define recon_BRepParser_h
 
+#include "Base/Monitor.h"
 #include "Mesh/BRep.h"
-#include "Monitor.h"
 
 #include <string>
 

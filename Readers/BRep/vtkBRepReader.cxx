@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkBRepReader.h"
 
-#include "BRepParser.h"
+#include "BRep/BRepParser.h"
+#include "Common/FileOutcome.h"
 #include "ContourConversion.h"
-#include "FileOutcome.h"
 #include "vtkContourMonitor.h"
 
 #include "vtkCellArray.h"

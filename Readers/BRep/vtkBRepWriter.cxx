@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkBRepWriter.h"
 
-#include "BRepFormatter.h"
+#include "BRep/BRepFormatter.h"
+#include "Common/FileOutcome.h"
 #include "ContourConversion.h"
 #include "Contours/ContourChaining.h"
-#include "FileOutcome.h"
 #include "vtkContourMonitor.h"
 
 #include "vtkCellData.h"

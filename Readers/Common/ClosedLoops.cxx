@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ClosedLoops.h"
+#include "Common/ClosedLoops.h"
 
 #include "Contours/ContourChaining.h"
 

@@ -6,8 +6,8 @@
 #ifndef recon_ClosedLoops_h
 #define recon_ClosedLoops_h
 
+#include "Base/Monitor.h"
 #include "Contours/ContourSet.h"
-#include "Monitor.h"
 
 #include <string>
 

@@ -6,7 +6,7 @@
 #ifndef recon_FileOutcome_h
 #define recon_FileOutcome_h
 
-#include "Monitor.h"
+#include "Base/Monitor.h"
 
 #include "vtkErrorCode.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ReplacedFile.h"
+#include "Common/ReplacedFile.h"
 
-#include "Monitor.h"
+#include "Base/Monitor.h"
 
 #include <filesystem>
 #include <random>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "TextFile.h"
+#include "Common/TextFile.h"
 
-#include "Monitor.h"
-#include "ReplacedFile.h"
+#include "Base/Monitor.h"
+#include "Common/ReplacedFile.h"
 
 #include <charconv>
 #include <filesystem>

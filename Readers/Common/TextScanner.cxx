@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "TextScanner.h"
+#include "Common/TextScanner.h"
 
-#include "Monitor.h"
-#include "TextFile.h"
+#include "Base/Monitor.h"
+#include "Common/TextFile.h"
 
 #include <charconv>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "CurveNetworkParser.h"
-#include "PlaneCheck.h"
-#include "TextScanner.h"
+#include "Common/TextScanner.h"
+#include "CurveNetwork/CurveNetworkParser.h"
+#include "CurveNetwork/PlaneCheck.h"
 
 #include <map>
 #include <string_view>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "CurveNetworkParser.h"
-#include "MaterialWalker.h"
-#include "PlaneCheck.h"
-#include "TextScanner.h"
+#include "Common/TextScanner.h"
+#include "CurveNetwork/CurveNetworkParser.h"
+#include "CurveNetwork/MaterialWalker.h"
+#include "CurveNetwork/PlaneCheck.h"
 
 #include <map>
 #include <set>

@@ -29,8 +29,8 @@
 #ifndef recon_CurveNetworkParser_h
 #define recon_CurveNetworkParser_h
 
-#include "ContourFile.h"
-#include "Monitor.h"
+#include "Base/Monitor.h"
+#include "Common/ContourFile.h"
 
 #include <string>
 #include <vector>

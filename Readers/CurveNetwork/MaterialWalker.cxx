@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "MaterialWalker.h"
+#include "CurveNetwork/MaterialWalker.h"
 
 #include <algorithm>
 #include <map>

@@ -6,7 +6,7 @@
 #ifndef recon_MaterialWalker_h
 #define recon_MaterialWalker_h
 
-#include "Geometry.h"
+#include "Base/Geometry.h"
 
 #include <vector>
 

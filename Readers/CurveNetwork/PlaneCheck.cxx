@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "PlaneCheck.h"
+#include "CurveNetwork/PlaneCheck.h"
 
 #include <algorithm>
 

@@ -6,7 +6,7 @@
 #ifndef recon_PlaneCheck_h
 #define recon_PlaneCheck_h
 
-#include "Geometry.h"
+#include "Base/Geometry.h"
 
 #include <vector>
 

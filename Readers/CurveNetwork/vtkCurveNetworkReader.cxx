@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkCurveNetworkReader.h"
 
+#include "Common/FileOutcome.h"
 #include "ContourConversion.h"
-#include "CurveNetworkParser.h"
-#include "FileOutcome.h"
+#include "CurveNetwork/CurveNetworkParser.h"
 #include "vtkContourMonitor.h"
 
 #include "vtkCellData.h"

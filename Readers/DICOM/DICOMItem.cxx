@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "DICOMItem.h"
+#include "DICOM/DICOMItem.h"
 
-#include "Monitor.h"
+#include "Base/Monitor.h"
 
 #include <dcmtk/dcmdata/dcdict.h>
 #include <dcmtk/dcmdata/dcuid.h>

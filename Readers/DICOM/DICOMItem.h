@@ -8,8 +8,8 @@
 #ifndef recon_DICOMItem_h
 #define recon_DICOMItem_h
 
-#include "Geometry.h"
-#include "TextScanner.h"
+#include "Base/Geometry.h"
+#include "Common/TextScanner.h"
 
 // DCMTK's own order: its configuration comes first.
 #include <dcmtk/config/osconfig.h>

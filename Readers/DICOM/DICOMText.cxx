@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "DICOMText.h"
+#include "DICOM/DICOMText.h"
 
 #include <algorithm>
 

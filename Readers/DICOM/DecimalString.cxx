@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "DecimalString.h"
+#include "DICOM/DecimalString.h"
 
 #include <charconv>
 #include <string_view>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "Keyholes.h"
+#include "DICOM/Keyholes.h"
 
-#include "DisjointSets.h"
+#include "Base/DisjointSets.h"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ReferenceSlices.h"
+#include "DICOM/ReferenceSlices.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,8 +6,8 @@
 #ifndef recon_ReferenceSlices_h
 #define recon_ReferenceSlices_h
 
-#include "Geometry.h"
-#include "Monitor.h"
+#include "Base/Geometry.h"
+#include "Base/Monitor.h"
 
 #include <array>
 #include <cstddef>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "StructureSetFile.h"
+#include "DICOM/StructureSetFile.h"
 
-#include "DICOMItem.h"
+#include "DICOM/DICOMItem.h"
 
 #include <dcmtk/dcmdata/dcspchrs.h>
 #include <dcmtk/dcmdata/dcuid.h>

@@ -9,8 +9,8 @@
 #ifndef recon_StructureSetFile_h
 #define recon_StructureSetFile_h
 
-#include "ContourFile.h"
-#include "Monitor.h"
+#include "Base/Monitor.h"
+#include "Common/ContourFile.h"
 
 #include <array>
 #include <memory>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "StructureSetFormatter.h"
+#include "DICOM/StructureSetFormatter.h"
 
-#include "DecimalString.h"
-#include "DICOMItem.h"
-#include "DICOMText.h"
-#include "Implicit/SubMonitor.h"
-#include "ReplacedFile.h"
-#include "StructureSetReference.h"
+#include "Base/SubMonitor.h"
+#include "Common/ReplacedFile.h"
+#include "DICOM/DecimalString.h"
+#include "DICOM/DICOMItem.h"
+#include "DICOM/DICOMText.h"
+#include "DICOM/StructureSetReference.h"
 
 #include <dcmtk/dcmdata/dcmetinf.h>
 #include <dcmtk/dcmdata/dcuid.h>

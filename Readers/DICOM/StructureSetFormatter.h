@@ -9,9 +9,9 @@
 #ifndef recon_StructureSetFormatter_h
 #define recon_StructureSetFormatter_h
 
-#include "Geometry.h"
-#include "Monitor.h"
-#include "StructureSetFile.h"
+#include "Base/Geometry.h"
+#include "Base/Monitor.h"
+#include "DICOM/StructureSetFile.h"
 
 #include <string>
 #include <vector>

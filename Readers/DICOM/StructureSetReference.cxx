@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "StructureSetReference.h"
+#include "DICOM/StructureSetReference.h"
 
 #include "Contours/ContourPlanes.h"
 

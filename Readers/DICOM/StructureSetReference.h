@@ -9,9 +9,9 @@
 #ifndef recon_StructureSetReference_h
 #define recon_StructureSetReference_h
 
-#include "DICOMItem.h"
-#include "Monitor.h"
-#include "ReferenceSlices.h"
+#include "Base/Monitor.h"
+#include "DICOM/DICOMItem.h"
+#include "DICOM/ReferenceSlices.h"
 
 #include <string>
 #include <vector>

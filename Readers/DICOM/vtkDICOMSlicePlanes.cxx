@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkDICOMSlicePlanes.h"
 
-#include "FileOutcome.h"
-#include "ReferenceSlices.h"
+#include "Common/FileOutcome.h"
+#include "DICOM/ReferenceSlices.h"
 #include "vtkContourMonitor.h"
 
 #include "vtkCellArray.h"

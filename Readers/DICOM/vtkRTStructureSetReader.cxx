@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkRTStructureSetReader.h"
 
+#include "Common/FileOutcome.h"
 #include "ContourConversion.h"
-#include "FileOutcome.h"
-#include "StructureSetFile.h"
+#include "DICOM/StructureSetFile.h"
 #include "vtkContourMonitor.h"
 
 #include "vtkCellData.h"

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkRTStructureSetWriter.h"
 
-#include "ClosedLoops.h"
+#include "Common/ClosedLoops.h"
+#include "Common/FileOutcome.h"
 #include "ContourConversion.h"
 #include "Contours/ContourSetBuilder.h"
-#include "FileOutcome.h"
-#include "Keyholes.h"
-#include "StructureSetFormatter.h"
+#include "DICOM/Keyholes.h"
+#include "DICOM/StructureSetFormatter.h"
 #include "vtkContourMonitor.h"
 
 #include "vtkCellArray.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "NUAGESFormatter.h"
+#include "NUAGES/NUAGESFormatter.h"
 
-#include "TextFile.h"
+#include "Common/TextFile.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,8 +6,8 @@
 #ifndef recon_NUAGESFormatter_h
 #define recon_NUAGESFormatter_h
 
-#include "ContourFile.h"
-#include "Monitor.h"
+#include "Base/Monitor.h"
+#include "Common/ContourFile.h"
 
 #include <string>
 

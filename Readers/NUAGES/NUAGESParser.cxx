@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "NUAGESParser.h"
+#include "NUAGES/NUAGESParser.h"
 
-#include "TextScanner.h"
+#include "Common/TextScanner.h"
 
 #include <sstream>
 

@@ -18,8 +18,8 @@
 #ifndef recon_NUAGESParser_h
 #define recon_NUAGESParser_h
 
-#include "ContourFile.h"
-#include "Monitor.h"
+#include "Base/Monitor.h"
+#include "Common/ContourFile.h"
 
 #include <string>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkNUAGESReader.h"
 
+#include "Common/FileOutcome.h"
 #include "ContourConversion.h"
-#include "FileOutcome.h"
-#include "NUAGESParser.h"
+#include "NUAGES/NUAGESParser.h"
 #include "vtkContourMonitor.h"
 
 #include "vtkInformation.h"

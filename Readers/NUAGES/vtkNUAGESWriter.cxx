@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkNUAGESWriter.h"
 
-#include "ClosedLoops.h"
+#include "Common/ClosedLoops.h"
+#include "Common/FileOutcome.h"
 #include "ContourConversion.h"
-#include "FileOutcome.h"
-#include "NUAGESFormatter.h"
+#include "NUAGES/NUAGESFormatter.h"
 #include "vtkContourMonitor.h"
 
 #include "vtkCellData.h"

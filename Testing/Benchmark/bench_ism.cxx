@@ -10,9 +10,9 @@
  * and of processor time, the misfit, the process's largest memory. A process of its own, because
  * memory that was once taken cannot be told from memory that is needed.
  */
+#include "Implicit/FastMultipole/DirectSums.h"
+#include "Implicit/FastMultipole/FunctionEvaluator.h"
 #include "Implicit/ImplicitFunction.h"
-#include "Implicit/Summation/FunctionEvaluator.h"
-#include "Implicit/Summation/KernelSums.h"
 #include "Implicit/ZeroSet/Polygonizer.h"
 
 #include <sys/resource.h>

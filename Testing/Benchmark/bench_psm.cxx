@@ -12,11 +12,11 @@
  * Reading and cleaning the contours is not counted. Build it in Release.
  */
 #include "Contours/ContourSetBuilder.h"
-#include "CurveNetworkParser.h"
-#include "NUAGESParser.h"
+#include "CurveNetwork/CurveNetworkParser.h"
+#include "DICOM/StructureSetFile.h"
+#include "NUAGES/NUAGESParser.h"
 #include "Polyhedral/PolyhedralStages.h"
 #include "Polyhedral/PolyhedralSurface.h"
-#include "StructureSetFile.h"
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

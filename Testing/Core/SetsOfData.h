@@ -6,11 +6,11 @@
 #ifndef recon_SetsOfData_h
 #define recon_SetsOfData_h
 
+#include "Base/Monitor.h"
 #include "Contours/ContourSet.h"
-#include "CurveNetworkParser.h"
-#include "Monitor.h"
-#include "NUAGESParser.h"
-#include "StructureSetFile.h"
+#include "CurveNetwork/CurveNetworkParser.h"
+#include "DICOM/StructureSetFile.h"
+#include "NUAGES/NUAGESParser.h"
 
 #include <gtest/gtest.h>
 

@@ -7,8 +7,8 @@
 #ifndef ReaderTesting_h
 #define ReaderTesting_h
 
+#include "Base/Monitor.h"
 #include "Contours/ContourSet.h"
-#include "Monitor.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ContourChaining.h"
+#include "Contours/ContourChaining.h"
 
 #include <algorithm>
 #include <array>

@@ -6,9 +6,9 @@
 #ifndef recon_ContourChaining_h
 #define recon_ContourChaining_h
 
-#include "../Monitor.h"
-#include "ContourNotes.h"
-#include "ContourSet.h"
+#include "Base/Monitor.h"
+#include "Contours/ContourNotes.h"
+#include "Contours/ContourSet.h"
 
 #include <vector>
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ContourMapping.h"
+#include "Contours/ContourMapping.h"
 
-#include "../Parallel.h"
-#include "ContourNotes.h"
-#include "JoinOverrides.h"
-#include "JoinWords.h"
-#include "MappingGroups.h"
-#include "NearestRegion.h"
-#include "RegionOverlaps.h"
+#include "Base/Parallel.h"
+#include "Contours/ContourNotes.h"
+#include "Contours/JoinExplanation.h"
+#include "Contours/JoinOverrides.h"
+#include "Contours/MappingGroups.h"
+#include "Planar/NearestRegion.h"
+#include "Planar/RegionOverlaps.h"
 
 #include <algorithm>
 #include <cmath>

@@ -13,8 +13,8 @@
 #ifndef recon_ContourMapping_h
 #define recon_ContourMapping_h
 
-#include "../Monitor.h"
-#include "ContourSet.h"
+#include "Base/Monitor.h"
+#include "Contours/ContourSet.h"
 
 #include <string>
 #include <utility>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ContourNotes.h"
+#include "Contours/ContourNotes.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -6,7 +6,7 @@
 #ifndef recon_ContourNotes_h
 #define recon_ContourNotes_h
 
-#include "ContourSet.h"
+#include "Contours/ContourSet.h"
 
 #include <cstddef>
 #include <optional>

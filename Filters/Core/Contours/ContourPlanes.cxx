@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ContourPlanes.h"
+#include "Contours/ContourPlanes.h"
 
 #include <algorithm>
 #include <limits>

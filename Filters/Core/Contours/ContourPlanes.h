@@ -6,9 +6,9 @@
 #ifndef recon_ContourPlanes_h
 #define recon_ContourPlanes_h
 
-#include "../Monitor.h"
-#include "ContourChaining.h"
-#include "ContourNotes.h"
+#include "Base/Monitor.h"
+#include "Contours/ContourChaining.h"
+#include "Contours/ContourNotes.h"
 
 #include <vector>
 

@@ -6,7 +6,7 @@
 #ifndef recon_ContourSet_h
 #define recon_ContourSet_h
 
-#include "../Geometry.h"
+#include "Base/Geometry.h"
 
 #include <string>
 #include <vector>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ContourSetBuilder.h"
+#include "Contours/ContourSetBuilder.h"
 
-#include "ContourChaining.h"
-#include "ContourNotes.h"
-#include "ContourPlanes.h"
-#include "HoleRule.h"
-#include "HoleWords.h"
-#include "NestingForest.h"
-#include "PlanarRings.h"
+#include "Contours/ContourChaining.h"
+#include "Contours/ContourNotes.h"
+#include "Contours/ContourPlanes.h"
+#include "Contours/HoleExplanation.h"
+#include "Contours/PlanarRings.h"
+#include "Planar/HoleRule.h"
+#include "Planar/NestingForest.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,8 +6,8 @@
 #ifndef recon_ContourSetBuilder_h
 #define recon_ContourSetBuilder_h
 
-#include "../Monitor.h"
-#include "ContourSet.h"
+#include "Base/Monitor.h"
+#include "Contours/ContourSet.h"
 
 namespace recon
 {

@@ -6,7 +6,7 @@
 #ifndef recon_ContourSubset_h
 #define recon_ContourSubset_h
 
-#include "ContourSet.h"
+#include "Contours/ContourSet.h"
 
 namespace recon
 {

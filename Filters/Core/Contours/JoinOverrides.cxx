@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "JoinOverrides.h"
+#include "Contours/JoinOverrides.h"
 
 #include <cstddef>
 

@@ -6,7 +6,7 @@
 #ifndef recon_JoinOverrides_h
 #define recon_JoinOverrides_h
 
-#include "ContourMapping.h"
+#include "Contours/ContourMapping.h"
 
 #include <map>
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "MappingGroups.h"
+#include "Contours/MappingGroups.h"
 
 #include <algorithm>
 #include <cstddef>

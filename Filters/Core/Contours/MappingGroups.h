@@ -6,7 +6,7 @@
 #ifndef recon_MappingGroups_h
 #define recon_MappingGroups_h
 
-#include "ContourMapping.h"
+#include "Contours/ContourMapping.h"
 
 #include <vector>
 

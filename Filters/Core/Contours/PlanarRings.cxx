@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "PlanarRings.h"
+#include "Contours/PlanarRings.h"
 
-#include "LoopOrder.h"
+#include "Planar/LoopOrder.h"
 
 #include <algorithm>
 #include <cmath>

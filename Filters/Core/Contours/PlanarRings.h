@@ -6,9 +6,9 @@
 #ifndef recon_PlanarRings_h
 #define recon_PlanarRings_h
 
-#include "ContourChaining.h"
-#include "ContourNotes.h"
-#include "ContourPlanes.h"
+#include "Contours/ContourChaining.h"
+#include "Contours/ContourNotes.h"
+#include "Contours/ContourPlanes.h"
 
 #include <vector>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ImplicitFunction.h"
+#include "Implicit/ImplicitFunction.h"
 
-#include "../Parallel.h"
-#include "Summation/KernelSums.h"
+#include "Base/Parallel.h"
+#include "Implicit/FastMultipole/DirectSums.h"
 
 #include <algorithm>
 #include <cmath>

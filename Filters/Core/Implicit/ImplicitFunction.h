@@ -4,16 +4,18 @@
  * @brief The function whose zero set is the surface (thesis 8.3, 9.2, algorithm 14).
  *
  * Notation:
- *   c_j   location of a constraint, h_j its value (Constraints.h: 0 on the surface, > 0 inside, < 0
- * outside) w_j   its weight, p0..p3 the polynomial f(x) = sum_j w_j phi(|x - c_j|) + p0 + (p1, p2,
- * p3) . (x - Origin)      (equation 8.2)
+ *   c_j      location of a constraint
+ *   h_j      its value (Constraints.h: 0 on the surface, > 0 inside, < 0 outside)
+ *   w_j      its weight
+ *   p0..p3   the polynomial
+ *   f(x) = sum_j w_j phi(|x - c_j|) + p0 + (p1, p2, p3) . (x - Origin)      (equation 8.2)
  */
 #ifndef recon_ImplicitFunction_h
 #define recon_ImplicitFunction_h
 
-#include "../Geometry.h"
-#include "../Monitor.h"
-#include "Kernel.h"
+#include "Base/Geometry.h"
+#include "Base/Monitor.h"
+#include "Implicit/Kernel.h"
 
 #include <array>
 #include <string>

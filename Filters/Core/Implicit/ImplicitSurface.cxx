@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ImplicitSurface.h"
+#include "Implicit/ImplicitSurface.h"
 
-#include "Constraints/ContourPreview.h"
-#include "SubMonitor.h"
+#include "Base/SubMonitor.h"
+#include "Implicit/Constraints/ContourPreview.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,8 +7,8 @@
 #ifndef recon_ImplicitSurface_h
 #define recon_ImplicitSurface_h
 
-#include "Constraints/ContourFit.h"
-#include "ZeroSet/Polygonizer.h"
+#include "Implicit/Constraints/ContourFit.h"
+#include "Implicit/ZeroSet/Polygonizer.h"
 
 namespace recon
 {

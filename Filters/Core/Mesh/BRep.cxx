@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "BRep.h"
+#include "Mesh/BRep.h"
 
-#include "ContourEdges.h"
-#include "HalfEdges.h"
+#include "Mesh/ContourEdges.h"
+#include "Mesh/HalfEdges.h"
 
 #include <algorithm>
 #include <map>

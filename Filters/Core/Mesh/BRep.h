@@ -9,8 +9,8 @@
 #ifndef recon_BRep_h
 #define recon_BRep_h
 
-#include "../Monitor.h"
-#include "TriangleMesh.h"
+#include "Base/Monitor.h"
+#include "Mesh/TriangleMesh.h"
 
 #include <array>
 #include <string>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "Certificate.h"
+#include "Mesh/Certificate.h"
 
-#include "../Implicit/SubMonitor.h"
-#include "MeshDefects.h"
-#include "TriangleTree.h"
+#include "Base/SubMonitor.h"
+#include "Mesh/MeshDefects.h"
+#include "Mesh/TriangleTree.h"
 
 #include <algorithm>
 #include <set>

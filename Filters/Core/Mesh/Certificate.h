@@ -9,14 +9,14 @@
 #ifndef recon_Certificate_h
 #define recon_Certificate_h
 
-#include "../Contours/ContourSet.h"
-#include "../Monitor.h"
-#include "MassProperties.h"
-#include "MeshTopology.h"
-#include "SectionComparison.h"
-#include "SelfIntersections.h"
-#include "SheetCrossings.h"
-#include "TriangleMesh.h"
+#include "Base/Monitor.h"
+#include "Contours/ContourSet.h"
+#include "Mesh/MassProperties.h"
+#include "Mesh/MeshTopology.h"
+#include "Mesh/SectionComparison.h"
+#include "Mesh/SelfIntersections.h"
+#include "Mesh/SheetCrossings.h"
+#include "Mesh/TriangleMesh.h"
 
 #include <optional>
 #include <string>

@@ -3,7 +3,7 @@
  * @file CertificateText.cxx
  * @brief The certificate's figures by name, as JSON and as a few lines of text.
  */
-#include "Certificate.h"
+#include "Mesh/Certificate.h"
 
 #include <charconv>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ComponentNesting.h"
+#include "Mesh/ComponentNesting.h"
 
-#include "MeshPredicates.h"
+#include "Mesh/MeshPredicates.h"
 
 #include <algorithm>
 #include <limits>

@@ -7,7 +7,7 @@
 #ifndef recon_ComponentNesting_h
 #define recon_ComponentNesting_h
 
-#include "TriangleMesh.h"
+#include "Mesh/TriangleMesh.h"
 
 #include <vector>
 

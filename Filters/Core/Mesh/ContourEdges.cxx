@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ContourEdges.h"
+#include "Mesh/ContourEdges.h"
 
 #include <algorithm>
 #include <functional>

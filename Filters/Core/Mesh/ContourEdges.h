@@ -6,8 +6,8 @@
 #ifndef recon_ContourEdges_h
 #define recon_ContourEdges_h
 
-#include "BRep.h"
-#include "HalfEdges.h"
+#include "Mesh/BRep.h"
+#include "Mesh/HalfEdges.h"
 
 #include <unordered_map>
 #include <vector>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "HalfEdges.h"
+#include "Mesh/HalfEdges.h"
 
-#include "../Monitor.h"
+#include "Base/Monitor.h"
 
 #include <cstdio>
 #include <numeric>

@@ -6,7 +6,7 @@
 #ifndef recon_HalfEdges_h
 #define recon_HalfEdges_h
 
-#include "TriangleMesh.h"
+#include "Mesh/TriangleMesh.h"
 
 #include <vector>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "MassProperties.h"
+#include "Mesh/MassProperties.h"
 
 #include <algorithm>
 #include <cmath>

@@ -15,7 +15,7 @@
 #ifndef recon_MassProperties_h
 #define recon_MassProperties_h
 
-#include "TriangleMesh.h"
+#include "Mesh/TriangleMesh.h"
 
 #include <optional>
 #include <vector>

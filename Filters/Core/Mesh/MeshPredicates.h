@@ -11,7 +11,7 @@
 #ifndef recon_MeshPredicates_h
 #define recon_MeshPredicates_h
 
-#include "../Geometry.h"
+#include "Base/Geometry.h"
 
 #include <cmath>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "MeshTopology.h"
+#include "Mesh/MeshTopology.h"
 
-#include "../DisjointSets.h"
-#include "../Monitor.h"
-#include "ComponentNesting.h"
-#include "MassProperties.h"
-#include "MeshDefects.h"
-#include "MeshPredicates.h"
+#include "Base/DisjointSets.h"
+#include "Base/Monitor.h"
+#include "Mesh/ComponentNesting.h"
+#include "Mesh/MassProperties.h"
+#include "Mesh/MeshDefects.h"
+#include "Mesh/MeshPredicates.h"
 
 #include <algorithm>
 #include <cstdint>

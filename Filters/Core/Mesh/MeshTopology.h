@@ -16,7 +16,7 @@
 #ifndef recon_MeshTopology_h
 #define recon_MeshTopology_h
 
-#include "TriangleMesh.h"
+#include "Mesh/TriangleMesh.h"
 
 #include <optional>
 #include <vector>

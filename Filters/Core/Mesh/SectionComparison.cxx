@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "SectionComparison.h"
+#include "Mesh/SectionComparison.h"
 
-#include "../Parallel.h"
-#include "MeshPredicates.h"
-#include "MeshTopology.h"
-#include "PlanarDifference.h"
-#include "TriangleTree.h"
+#include "Base/Parallel.h"
+#include "Mesh/MeshPredicates.h"
+#include "Mesh/MeshTopology.h"
+#include "Mesh/TriangleTree.h"
+#include "Planar/PlanarDifference.h"
 
 #include <algorithm>
 #include <cmath>

@@ -14,9 +14,9 @@
 #ifndef recon_SectionComparison_h
 #define recon_SectionComparison_h
 
-#include "../Contours/ContourSet.h"
-#include "../Monitor.h"
-#include "TriangleMesh.h"
+#include "Base/Monitor.h"
+#include "Contours/ContourSet.h"
+#include "Mesh/TriangleMesh.h"
 
 #include <optional>
 #include <vector>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "SelfIntersections.h"
+#include "Mesh/SelfIntersections.h"
 
-#include "../Parallel.h"
-#include "MeshDefects.h"
-#include "MeshTopology.h"
-#include "TrianglePair.h"
-#include "TriangleTree.h"
+#include "Base/Parallel.h"
+#include "Mesh/MeshDefects.h"
+#include "Mesh/MeshTopology.h"
+#include "Mesh/TrianglePair.h"
+#include "Mesh/TriangleTree.h"
 
 #include <algorithm>
 #include <map>

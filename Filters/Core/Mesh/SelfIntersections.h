@@ -6,8 +6,8 @@
 #ifndef recon_SelfIntersections_h
 #define recon_SelfIntersections_h
 
-#include "../Monitor.h"
-#include "TriangleMesh.h"
+#include "Base/Monitor.h"
+#include "Mesh/TriangleMesh.h"
 
 #include <array>
 #include <cstdint>

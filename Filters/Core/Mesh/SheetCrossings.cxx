@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "SheetCrossings.h"
+#include "Mesh/SheetCrossings.h"
 
-#include "MeshPredicates.h"
-#include "MeshTopology.h"
+#include "Mesh/MeshPredicates.h"
+#include "Mesh/MeshTopology.h"
 
 #include <algorithm>
 #include <iterator>

@@ -11,7 +11,7 @@
 #ifndef recon_SheetCrossings_h
 #define recon_SheetCrossings_h
 
-#include "TriangleMesh.h"
+#include "Mesh/TriangleMesh.h"
 
 #include <utility>
 #include <vector>

@@ -6,7 +6,7 @@
 #ifndef recon_TriangleMesh_h
 #define recon_TriangleMesh_h
 
-#include "../Geometry.h"
+#include "Base/Geometry.h"
 
 #include <array>
 #include <vector>

@@ -8,9 +8,9 @@
  * - I has inner points of s only where corners of s lie strictly on both sides of T;
  * - the common part is longer than a point only where the intervals overlap strictly.
  */
-#include "TrianglePair.h"
+#include "Mesh/TrianglePair.h"
 
-#include "MeshPredicates.h"
+#include "Mesh/MeshPredicates.h"
 
 #include <algorithm>
 #include <utility>

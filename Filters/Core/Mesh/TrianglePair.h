@@ -6,7 +6,7 @@
 #ifndef recon_TrianglePair_h
 #define recon_TrianglePair_h
 
-#include "TriangleMesh.h"
+#include "Mesh/TriangleMesh.h"
 
 namespace recon
 {

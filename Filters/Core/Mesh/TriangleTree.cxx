@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "TriangleTree.h"
+#include "Mesh/TriangleTree.h"
 
 #include <algorithm>
 #include <cmath>

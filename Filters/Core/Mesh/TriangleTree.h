@@ -7,7 +7,7 @@
 #ifndef recon_TriangleTree_h
 #define recon_TriangleTree_h
 
-#include "TriangleMesh.h"
+#include "Mesh/TriangleMesh.h"
 
 #include <cstdint>
 #include <utility>

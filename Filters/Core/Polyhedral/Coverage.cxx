@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "Coverage.h"
+#include "Polyhedral/Coverage.h"
 
-#include "VertexStars.h"
+#include "Polyhedral/VertexStars.h"
 
 #include <algorithm>
 #include <cmath>

@@ -12,8 +12,8 @@
 #ifndef recon_Coverage_h
 #define recon_Coverage_h
 
-#include "JointVoronoi.h"
-#include "LevelGeometry.h"
+#include "Polyhedral/JointVoronoi.h"
+#include "Polyhedral/LevelGeometry.h"
 
 #include <vector>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "JointVoronoi.h"
+#include "Polyhedral/JointVoronoi.h"
 
-#include "JointVoronoiPredicates.h"
-#include "VertexRegions.h"
+#include "Polyhedral/JointVoronoiPredicates.h"
+#include "Polyhedral/VertexRegions.h"
 
 namespace recon
 {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "JointVoronoi.h"
+#include "Polyhedral/JointVoronoi.h"
 
-#include "JointVoronoiPredicates.h"
-#include "VertexStars.h"
+#include "Polyhedral/JointVoronoiPredicates.h"
+#include "Polyhedral/VertexStars.h"
 
 #include <utility>
 

@@ -7,22 +7,21 @@
  *   level 1, level 2  the lower and the upper level of a slab
  *   T1 node           Voronoi vertex of level 1  -> triangle of level 1 + its apex on level 2
  *   T2 node           Voronoi vertex of level 2  -> triangle of level 2 + its apex on level 1
- *   T12 node          crossing of a Voronoi edge of level 1 and one of level 2 -> their Delaunay
- * edges apex              Delaunay vertex of the other level nearest to the Voronoi vertex
+ *   T12 node          crossing of a Voronoi edge of level 1 and one of level 2 -> their Delaunay edges
+ *   apex              Delaunay vertex of the other level nearest to the Voronoi vertex
  *
  * Special cases (section 6.3). Where a Voronoi vertex of one level is equally far from several
  * vertices of the other, algorithms 7-12 choose a valid configuration. Here one rule does: level 2
- * counts as moved by
- * (-eps, -eps^2) in its plane, so that of two equally near vertices the lexicographically larger
- * one is nearer seen from level 1 and the smaller one seen from level 2. No tie is left, for any
- * number of cocircular and cospherical points.
+ * counts as moved by (-eps, -eps^2) in its plane, so that of two equally near vertices the
+ * lexicographically larger one is nearer seen from level 1 and the smaller one seen from level 2.
+ * No tie is left, for any number of cocircular and cospherical points.
  */
 #ifndef recon_JointVoronoi_h
 #define recon_JointVoronoi_h
 
-#include "../Monitor.h"
-#include "LevelTriangulation.h"
-#include "SlabJoins.h"
+#include "Base/Monitor.h"
+#include "Polyhedral/LevelTriangulation.h"
+#include "Polyhedral/SlabJoins.h"
 
 #include <array>
 #include <vector>

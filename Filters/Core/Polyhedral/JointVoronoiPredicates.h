@@ -6,8 +6,8 @@
 #ifndef recon_JointVoronoiPredicates_h
 #define recon_JointVoronoiPredicates_h
 
-#include "../Geometry.h"
-#include "LevelTriangulation.h"
+#include "Base/Geometry.h"
+#include "Polyhedral/LevelTriangulation.h"
 
 #include <vector>
 

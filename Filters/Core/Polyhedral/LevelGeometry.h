@@ -6,7 +6,7 @@
 #ifndef recon_LevelGeometry_h
 #define recon_LevelGeometry_h
 
-#include "LevelTriangulation.h"
+#include "Polyhedral/LevelTriangulation.h"
 
 #include <vector>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "LevelTriangulation.h"
+#include "Polyhedral/LevelTriangulation.h"
 
-#include "../Contours/PlanarRings.h"
-#include "../Monitor.h"
-#include "PolyhedralSurface.h"
+#include "Base/Monitor.h"
+#include "Contours/PlanarRings.h"
+#include "Polyhedral/PolyhedralSurface.h"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

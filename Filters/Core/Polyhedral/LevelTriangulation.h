@@ -16,7 +16,7 @@
 #ifndef recon_LevelTriangulation_h
 #define recon_LevelTriangulation_h
 
-#include "../Contours/ContourSet.h"
+#include "Contours/ContourSet.h"
 
 #include <array>
 #include <memory>

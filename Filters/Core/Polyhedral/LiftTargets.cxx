@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "LiftTargets.h"
+#include "Polyhedral/LiftTargets.h"
 
-#include "VertexRegions.h"
+#include "Polyhedral/VertexRegions.h"
 
 #include <algorithm>
 #include <cmath>

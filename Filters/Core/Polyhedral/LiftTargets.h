@@ -15,10 +15,10 @@
 #ifndef recon_LiftTargets_h
 #define recon_LiftTargets_h
 
-#include "Coverage.h"
-#include "PlanarContourDistance.h"
-#include "PolyhedralSurface.h"
-#include "SolidComplex.h"
+#include "Planar/PlanarContourDistance.h"
+#include "Polyhedral/Coverage.h"
+#include "Polyhedral/PolyhedralSurface.h"
+#include "Polyhedral/SolidComplex.h"
 
 #include <vector>
 

@@ -6,7 +6,7 @@
 #ifndef recon_Lifting_h
 #define recon_Lifting_h
 
-#include "SolidComplex.h"
+#include "Polyhedral/SolidComplex.h"
 
 namespace recon
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "PartialEnds.h"
+#include "Polyhedral/PartialEnds.h"
 
-#include "LiftTargets.h"
+#include "Polyhedral/LiftTargets.h"
 
 #include <set>
 #include <utility>

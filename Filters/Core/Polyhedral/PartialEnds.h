@@ -16,8 +16,8 @@
 #ifndef recon_PartialEnds_h
 #define recon_PartialEnds_h
 
-#include "JointVoronoi.h"
-#include "PlanarContourDistance.h"
+#include "Planar/PlanarContourDistance.h"
+#include "Polyhedral/JointVoronoi.h"
 
 #include <array>
 #include <vector>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "PolyhedralStages.h"
+#include "Polyhedral/PolyhedralStages.h"
 
-#include "../Parallel.h"
-#include "Lifting.h"
-#include "LiftTargets.h"
-#include "PartialEnds.h"
-#include "PlanarContourDistance.h"
+#include "Base/Parallel.h"
+#include "Planar/PlanarContourDistance.h"
+#include "Polyhedral/Lifting.h"
+#include "Polyhedral/LiftTargets.h"
+#include "Polyhedral/PartialEnds.h"
 
 #include <algorithm>
 #include <array>

@@ -9,12 +9,12 @@
 #ifndef recon_PolyhedralStages_h
 #define recon_PolyhedralStages_h
 
-#include "../Contours/ContourMapping.h"
-#include "../Monitor.h"
-#include "Coverage.h"
-#include "JointVoronoi.h"
-#include "LevelGeometry.h"
-#include "PolyhedralSurface.h"
+#include "Base/Monitor.h"
+#include "Contours/ContourMapping.h"
+#include "Polyhedral/Coverage.h"
+#include "Polyhedral/JointVoronoi.h"
+#include "Polyhedral/LevelGeometry.h"
+#include "Polyhedral/PolyhedralSurface.h"
 
 #include <string>
 #include <utility>

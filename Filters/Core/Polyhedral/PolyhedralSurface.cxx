@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "PolyhedralSurface.h"
+#include "Polyhedral/PolyhedralSurface.h"
 
-#include "PolyhedralStages.h"
-#include "SolidBoundary.h"
-#include "SolidComplex.h"
+#include "Polyhedral/PolyhedralStages.h"
+#include "Polyhedral/SolidBoundary.h"
+#include "Polyhedral/SolidComplex.h"
 
 #include <chrono>
 #include <utility>

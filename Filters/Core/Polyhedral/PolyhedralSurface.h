@@ -7,9 +7,9 @@
 #ifndef recon_PolyhedralSurface_h
 #define recon_PolyhedralSurface_h
 
-#include "../Contours/ContourMapping.h"
-#include "../Mesh/TriangleMesh.h"
-#include "../Monitor.h"
+#include "Base/Monitor.h"
+#include "Contours/ContourMapping.h"
+#include "Mesh/TriangleMesh.h"
 
 #include <string>
 #include <utility>

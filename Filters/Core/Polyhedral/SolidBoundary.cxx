@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "SolidBoundary.h"
+#include "Polyhedral/SolidBoundary.h"
 
-#include "../DisjointSets.h"
+#include "Base/DisjointSets.h"
 
 #include <algorithm>
 #include <cstdint>

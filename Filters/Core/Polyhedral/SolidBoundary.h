@@ -12,7 +12,7 @@
 #ifndef recon_SolidBoundary_h
 #define recon_SolidBoundary_h
 
-#include "SolidComplex.h"
+#include "Polyhedral/SolidComplex.h"
 
 #include <array>
 #include <vector>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "SolidComplex.h"
+#include "Polyhedral/SolidComplex.h"
 
 #include <algorithm>
 #include <cmath>

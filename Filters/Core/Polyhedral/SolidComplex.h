@@ -16,8 +16,8 @@
 #ifndef recon_SolidComplex_h
 #define recon_SolidComplex_h
 
-#include "Coverage.h"
-#include "JointVoronoi.h"
+#include "Polyhedral/Coverage.h"
+#include "Polyhedral/JointVoronoi.h"
 
 #include <array>
 #include <vector>

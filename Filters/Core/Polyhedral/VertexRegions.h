@@ -6,7 +6,7 @@
 #ifndef recon_VertexRegions_h
 #define recon_VertexRegions_h
 
-#include "LevelTriangulation.h"
+#include "Polyhedral/LevelTriangulation.h"
 
 #include <algorithm>
 #include <map>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "VertexStars.h"
+#include "Polyhedral/VertexStars.h"
 
 #include <algorithm>
 

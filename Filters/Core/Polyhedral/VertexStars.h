@@ -6,7 +6,7 @@
 #ifndef recon_VertexStars_h
 #define recon_VertexStars_h
 
-#include "LevelTriangulation.h"
+#include "Polyhedral/LevelTriangulation.h"
 
 #include <vector>
 

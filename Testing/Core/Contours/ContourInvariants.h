@@ -9,8 +9,8 @@
 #ifndef recon_ContourInvariants_h
 #define recon_ContourInvariants_h
 
+#include "Base/Predicates.h"
 #include "Contours/ContourSet.h"
-#include "Contours/ExactPlane.h"
 
 #include <CGAL/Exact_rational.h>
 #include <gtest/gtest.h>

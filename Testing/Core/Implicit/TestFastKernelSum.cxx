@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The fast sum against sums over all pairs: every accuracy, awkward clouds, gradients, threads.
+#include "Implicit/FastMultipole/DirectSums.h"
+#include "Implicit/FastMultipole/FastKernelSum.h"
 #include "Implicit/ImplicitFunction.h"
-#include "Implicit/Summation/FastKernelSum.h"
-#include "Implicit/Summation/KernelSums.h"
 
 #include <gtest/gtest.h>
 
@@ -150,8 +150,8 @@ TEST(FastKernelSum, KeepsEveryAccuracyOnSurfacesAndInVolumes)
 {
   const Cloud ball = WavyBall(30, 50, 0.01);
   const Cloud cube = Filled(4000, [](Random& random, int) { return random.NextPoint(); });
-  for (const double accuracy : { 1e-3, 1e-4, 1e-5, 1e-6, 1e-8, 1e-10, 1e-12, 1e-13, 1e-14,
-         FastKernelSum::FinestAccuracy })
+  for (const double accuracy :
+    { 1e-3, 1e-4, 1e-5, 1e-6, 1e-8, 1e-10, 1e-12, 1e-13, 1e-14, FastKernelSum::FinestAccuracy })
   {
     ExpectAccurate(ball, accuracy);
     ExpectAccurate(cube, accuracy);

@@ -2,8 +2,8 @@
 // Evaluation by fast sums against exact ones, and the surface and contours that are made of it.
 #include "ConstraintShapes.h"
 #include "Core/Mesh/MeshInvariants.h"
-#include "Implicit/Summation/FunctionEvaluator.h"
-#include "Implicit/Summation/KernelSums.h"
+#include "Implicit/FastMultipole/DirectSums.h"
+#include "Implicit/FastMultipole/FunctionEvaluator.h"
 #include "Implicit/ZeroSet/ContourTracer.h"
 #include "Implicit/ZeroSet/Polygonizer.h"
 

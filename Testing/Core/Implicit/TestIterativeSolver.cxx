@@ -4,7 +4,7 @@
 #include "Implicit/Solver/AvailableMemory.h"
 #include "Implicit/Solver/InverseCholesky.h"
 #include "Implicit/Solver/IterativeRbfSystem.h"
-#include "Implicit/Solver/MaxMinOrder.h"
+#include "Implicit/Solver/MaximinOrder.h"
 
 #include <gtest/gtest.h>
 
@@ -87,11 +87,11 @@ private:
 };
 }
 
-TEST(MaxMinOrder, IsFarthestFirst)
+TEST(MaximinOrder, IsFarthestFirst)
 {
   const Sample sample = shapes::WavyBall(12, 20, 0.02);
   Monitor monitor;
-  const MaxMinOrder order(sample.Points, monitor);
+  const MaximinOrder order(sample.Points, monitor);
   const std::size_t n = sample.Points.size();
   std::vector<int> sorted = order.Order();
   std::sort(sorted.begin(), sorted.end());
@@ -105,7 +105,7 @@ TEST(MaxMinOrder, IsFarthestFirst)
   {
     const std::size_t at = static_cast<std::size_t>(order.Order()[rank]);
     EXPECT_EQ(order.Points()[rank], sample.Points[at]);
-    if (rank >= MaxMinOrder::Simplex)
+    if (rank >= MaximinOrder::Simplex)
     {
       EXPECT_EQ(order.Distances()[rank], left[at]);
       EXPECT_EQ(left[at], *std::max_element(left.begin(), left.end()));
@@ -118,7 +118,7 @@ TEST(MaxMinOrder, IsFarthestFirst)
   }
 }
 
-TEST(MaxMinOrder, StartsWithAFatTetrahedron)
+TEST(MaximinOrder, StartsWithAFatTetrahedron)
 {
   // One dense contour and a single point off its plane: greed by distance alone starts flat.
   std::vector<Point3> points;
@@ -128,17 +128,17 @@ TEST(MaxMinOrder, StartsWithAFatTetrahedron)
   }
   points.push_back({ 0, 0, 0.05 });
   Monitor monitor;
-  const MaxMinOrder order(points, monitor);
+  const MaximinOrder order(points, monitor);
   const auto& p = order.Points();
   const double volume = std::abs(Dot(p[1] - p[0], Cross(p[2] - p[0], p[3] - p[0]))) / 6;
   EXPECT_GT(volume, 0.01);
 }
 
-TEST(MaxMinOrder, NearestAreThoseOfBruteForce)
+TEST(MaximinOrder, NearestAreThoseOfBruteForce)
 {
   const Sample sample = shapes::WavyBall(10, 30, 0.02);
   Monitor monitor;
-  const MaxMinOrder order(sample.Points, monitor);
+  const MaximinOrder order(sample.Points, monitor);
   for (const int below : { 5, 40, 333, 900 })
   {
     const Point3& x = order.Points()[static_cast<std::size_t>(below) - 1];
@@ -172,7 +172,7 @@ TEST(InverseCholesky, ItsWeightsAreOrthogonalToLinearPolynomials)
 {
   const Sample sample = shapes::WavyBall(30, 40, 0.02);
   Monitor monitor;
-  const MaxMinOrder order(sample.Points, monitor);
+  const MaximinOrder order(sample.Points, monitor);
   const InverseCholesky inverse(order, {}, monitor);
   std::vector<double> r(sample.Points.size());
   for (std::size_t i = 0; i < r.size(); ++i)

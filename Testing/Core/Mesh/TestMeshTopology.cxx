@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "Base/Monitor.h"
 #include "MeshInvariants.h"
 #include "MeshShapes.h"
-#include "Monitor.h"
 
 #include <limits>
 

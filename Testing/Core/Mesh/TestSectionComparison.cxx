@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "Mesh/PlanarDifference.h"
 #include "Mesh/SectionComparison.h"
 #include "Mesh/TriangleTree.h"
 #include "MeshShapes.h"
+#include "Planar/PlanarDifference.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The grammar of the thesis's appendix: its example, all forms of its tokens, and files that break
 // it.
-#include "BRepFormatter.h"
-#include "BRepParser.h"
-#include "TextFile.h"
+#include "BRep/BRepFormatter.h"
+#include "BRep/BRepParser.h"
+#include "Common/TextFile.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Readers/ReaderTesting.h"
 
-#include "CurveNetworkParser.h"
-#include "PlaneCheck.h"
+#include "CurveNetwork/CurveNetworkParser.h"
+#include "CurveNetwork/PlaneCheck.h"
 
 #include <algorithm>
 #include <map>

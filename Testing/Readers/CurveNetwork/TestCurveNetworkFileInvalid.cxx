@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Readers/ReaderTesting.h"
 
-#include "CurveNetworkParser.h"
+#include "CurveNetwork/CurveNetworkParser.h"
 
 using namespace readertesting;
 

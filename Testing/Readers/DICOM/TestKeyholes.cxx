@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "Keyholes.h"
+#include "DICOM/Keyholes.h"
 
+#include "Base/Monitor.h"
 #include "Contours/ContourSetBuilder.h"
-#include "Monitor.h"
 
 #include <gtest/gtest.h>
 

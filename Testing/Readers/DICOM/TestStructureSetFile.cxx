@@ -2,7 +2,7 @@
 #include "Readers/DICOM/StructureSetBuilder.h"
 #include "Readers/ReaderTesting.h"
 
-#include "StructureSetFile.h"
+#include "DICOM/StructureSetFile.h"
 
 #include <map>
 #include <ostream>

@@ -2,11 +2,11 @@
 #include "Readers/DICOM/ReferenceBuilder.h"
 #include "Readers/ReaderTesting.h"
 
-#include "DecimalString.h"
-#include "DICOMItem.h"
-#include "DICOMText.h"
-#include "ReferenceSlices.h"
-#include "StructureSetFormatter.h"
+#include "DICOM/DecimalString.h"
+#include "DICOM/DICOMItem.h"
+#include "DICOM/DICOMText.h"
+#include "DICOM/ReferenceSlices.h"
+#include "DICOM/StructureSetFormatter.h"
 
 #include <cmath>
 #include <numeric>

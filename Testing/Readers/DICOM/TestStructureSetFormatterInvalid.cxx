@@ -2,7 +2,7 @@
 #include "Readers/DICOM/ReferenceBuilder.h"
 #include "Readers/ReaderTesting.h"
 
-#include "StructureSetFormatter.h"
+#include "DICOM/StructureSetFormatter.h"
 
 #include <csignal>
 #include <limits>

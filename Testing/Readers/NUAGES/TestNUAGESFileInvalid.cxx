@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Readers/ReaderTesting.h"
 
-#include "NUAGESFormatter.h"
-#include "NUAGESParser.h"
+#include "NUAGES/NUAGESFormatter.h"
+#include "NUAGES/NUAGESParser.h"
 
 #include <cmath>
 #include <limits>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "Constraints.h"
+#include "Implicit/Constraints/Constraints.h"
 
-#include "../NumberText.h"
-#include "../PointGrid.h"
-#include "../SubMonitor.h"
-#include "NearConstraints.h"
-#include "PlanarEdges.h"
+#include "Base/PointGrid.h"
+#include "Base/SubMonitor.h"
+#include "Base/Text.h"
+#include "Implicit/Constraints/NearConstraints.h"
+#include "Planar/PlanarEdges.h"
 
 #include <algorithm>
 #include <cmath>

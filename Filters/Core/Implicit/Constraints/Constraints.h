@@ -11,8 +11,8 @@
 #ifndef recon_Constraints_h
 #define recon_Constraints_h
 
-#include "../../Contours/ContourSet.h"
-#include "../../Monitor.h"
+#include "Base/Monitor.h"
+#include "Contours/ContourSet.h"
 
 #include <string>
 #include <vector>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ContourFit.h"
+#include "Implicit/Constraints/ContourFit.h"
 
-#include "../SubMonitor.h"
-#include "ContourResampling.h"
-#include "ContourTips.h"
-#include "LeftOutSlices.h"
-#include "MarginFit.h"
+#include "Base/SubMonitor.h"
+#include "Implicit/Constraints/ContourResampling.h"
+#include "Implicit/Constraints/ContourTips.h"
+#include "Implicit/Constraints/LeftOutSlices.h"
+#include "Implicit/Constraints/MarginFit.h"
 
 #include <algorithm>
 
@@ -88,8 +88,7 @@ private:
   void RefineAsSlicesSay(MarginFit& first, Monitor& monitor)
   {
     SubMonitor preparing(monitor, 0, 0.15);
-    const LeftOutSlices slices(
-      this->Result.Contours, this->Constraints, this->Function, preparing);
+    const LeftOutSlices slices(this->Result.Contours, this->Constraints, this->Function, preparing);
     SubMonitor judging(monitor, 0.15, 0.5);
     const SliceVotes turned = slices.Judge(MarginWay::Turned, judging);
     SubMonitor refining(monitor, 0.5, 1);
@@ -134,8 +133,7 @@ private:
     ConstraintOptions options = this->Constraints;
     options.ReachAcrossSteps = true;
     SubMonitor fitting(monitor, 0.5, 1);
-    const ConstraintSet reaching =
-      BuildInPlaneConstraints(this->Result.Contours, options, fitting);
+    const ConstraintSet reaching = BuildInPlaneConstraints(this->Result.Contours, options, fitting);
     this->Take(MarginFit(this->Result.Contours, reaching, false, this->Function, fitting));
     this->Result.Constraints.Report.push_back(
       "Margins reach across steps, where the next slice says otherwise of a place: that is nearer "
@@ -150,8 +148,8 @@ private:
     if (this->Unit)
     {
       // Distances tell the normals better than +1 and -1 do.
-      const ConstraintSet distances = BuildInPlaneConstraints(
-        this->Result.Contours, DistanceOptions(this->Constraints), monitor);
+      const ConstraintSet distances =
+        BuildInPlaneConstraints(this->Result.Contours, DistanceOptions(this->Constraints), monitor);
       normals =
         MarginFit(this->Result.Contours, distances, false, this->Function, monitor).Function();
     }
@@ -230,8 +228,8 @@ ContourFit FitContours(const ContourSet& contours, const ConstraintOptions& cons
   }
   else
   {
-    fit.Function = FitImplicitFunction(
-      fit.Constraints.Points, fit.Constraints.Values, functionOptions, fitting);
+    fit.Function =
+      FitImplicitFunction(fit.Constraints.Points, fit.Constraints.Values, functionOptions, fitting);
   }
   return fit;
 }

@@ -25,8 +25,8 @@
 #ifndef recon_ContourFit_h
 #define recon_ContourFit_h
 
-#include "../ImplicitFunction.h"
-#include "Constraints.h"
+#include "Implicit/Constraints/Constraints.h"
+#include "Implicit/ImplicitFunction.h"
 
 namespace recon
 {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ContourPreview.h"
+#include "Implicit/Constraints/ContourPreview.h"
 
-#include "../../Contours/ContourSubset.h"
-#include "ContourResampling.h"
+#include "Contours/ContourSubset.h"
+#include "Implicit/Constraints/ContourResampling.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 #ifndef recon_ContourPreview_h
 #define recon_ContourPreview_h
 
-#include "../../Contours/ContourSet.h"
+#include "Contours/ContourSet.h"
 
 namespace recon
 {

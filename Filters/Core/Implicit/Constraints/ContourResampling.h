@@ -7,7 +7,7 @@
 #ifndef recon_ContourResampling_h
 #define recon_ContourResampling_h
 
-#include "../../Contours/ContourSet.h"
+#include "Contours/ContourSet.h"
 
 namespace recon
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ContourTips.h"
+#include "Implicit/Constraints/ContourTips.h"
 
-#include "PlanarEdges.h"
+#include "Planar/PlanarEdges.h"
 
 #include <algorithm>
 #include <cmath>

@@ -11,7 +11,7 @@
 #ifndef recon_ContourTips_h
 #define recon_ContourTips_h
 
-#include "../../Contours/ContourSet.h"
+#include "Contours/ContourSet.h"
 
 #include <vector>
 

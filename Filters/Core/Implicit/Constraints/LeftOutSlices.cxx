@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "LeftOutSlices.h"
+#include "Implicit/Constraints/LeftOutSlices.h"
 
-#include "../../Contours/ContourSubset.h"
-#include "../SubMonitor.h"
-#include "../Summation/FunctionEvaluator.h"
-#include "ContourTips.h"
+#include "Base/SubMonitor.h"
+#include "Contours/ContourSubset.h"
+#include "Implicit/Constraints/ContourTips.h"
+#include "Implicit/FastMultipole/FunctionEvaluator.h"
 
 #include <cmath>
 
@@ -74,19 +74,16 @@ LeftOutSlices::LeftOutSlices(const ContourSet& contours, const ConstraintOptions
     {
       continue;
     }
-    SubMonitor fitting(
-      monitor, static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
+    SubMonitor fitting(monitor, static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
     const ConstraintSet inPlane = BuildInPlaneConstraints(seen, this->Constraints, fitting);
     MarginFit first(seen, inPlane, false, this->Function, fitting);
-    std::vector<double> misses =
-      Misses(first.Function(), unseen, this->Function.Threads, fitting);
+    std::vector<double> misses = Misses(first.Function(), unseen, this->Function.Threads, fitting);
     this->Turns.push_back(
       { std::move(seen), std::move(unseen), std::move(first), std::move(misses) });
   }
 }
 
-std::vector<double> LeftOutSlices::MissesOf(
-  const Turn& turn, MarginWay way, Monitor& monitor) const
+std::vector<double> LeftOutSlices::MissesOf(const Turn& turn, MarginWay way, Monitor& monitor) const
 {
   const int threads = this->Function.Threads;
   if (way == MarginWay::Reaching)

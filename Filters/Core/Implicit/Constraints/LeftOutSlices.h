@@ -6,7 +6,7 @@
 #ifndef recon_LeftOutSlices_h
 #define recon_LeftOutSlices_h
 
-#include "MarginFit.h"
+#include "Implicit/Constraints/MarginFit.h"
 
 #include <cstddef>
 #include <vector>

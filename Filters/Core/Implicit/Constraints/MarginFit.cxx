@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "MarginFit.h"
+#include "Implicit/Constraints/MarginFit.h"
 
-#include "../SubMonitor.h"
-#include "NearConstraints.h"
+#include "Base/SubMonitor.h"
+#include "Implicit/Constraints/NearConstraints.h"
 
 namespace recon
 {

@@ -6,7 +6,7 @@
 #ifndef recon_MarginFit_h
 #define recon_MarginFit_h
 
-#include "RefinedMargins.h"
+#include "Implicit/Constraints/RefinedMargins.h"
 
 namespace recon
 {

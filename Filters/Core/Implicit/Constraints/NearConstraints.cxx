@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "NearConstraints.h"
+#include "Implicit/Constraints/NearConstraints.h"
 
-#include "../PointGrid.h"
+#include "Base/PointGrid.h"
 
 #include <algorithm>
 #include <cmath>

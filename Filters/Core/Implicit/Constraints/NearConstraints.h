@@ -6,7 +6,7 @@
 #ifndef recon_NearConstraints_h
 #define recon_NearConstraints_h
 
-#include "Constraints.h"
+#include "Implicit/Constraints/Constraints.h"
 
 namespace recon
 {

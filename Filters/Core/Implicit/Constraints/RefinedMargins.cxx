@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "RefinedMargins.h"
+#include "Implicit/Constraints/RefinedMargins.h"
 
-#include "../PointGrid.h"
-#include "../Summation/FunctionEvaluator.h"
-#include "ContourTips.h"
+#include "Base/PointGrid.h"
+#include "Implicit/Constraints/ContourTips.h"
+#include "Implicit/FastMultipole/FunctionEvaluator.h"
 
 #include <algorithm>
 
@@ -128,8 +128,7 @@ std::size_t RefinedMargins::Turned() const
     std::count_if(this->All.begin(), this->All.end(), [](const Vertex& v) { return v.IsTurned; }));
 }
 
-void RefinedMargins::Turn(
-  const ImplicitFunction& first, double part, int threads, Monitor& monitor)
+void RefinedMargins::Turn(const ImplicitFunction& first, double part, int threads, Monitor& monitor)
 {
   std::vector<double> values;
   std::vector<Vector3> gradients;
@@ -196,8 +195,7 @@ void RefinedMargins::PlaceMargin(
   }
 }
 
-std::size_t RefinedMargins::TakeBack(
-  const ImplicitFunction& second, int threads, Monitor& monitor)
+std::size_t RefinedMargins::TakeBack(const ImplicitFunction& second, int threads, Monitor& monitor)
 {
   const FunctionEvaluator evaluator(second, threads);
   const std::vector<double> atMargins = evaluator.Values(this->Start.Points, monitor);

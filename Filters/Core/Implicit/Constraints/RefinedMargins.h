@@ -6,8 +6,8 @@
 #ifndef recon_RefinedMargins_h
 #define recon_RefinedMargins_h
 
-#include "../ImplicitFunction.h"
-#include "Constraints.h"
+#include "Implicit/Constraints/Constraints.h"
+#include "Implicit/ImplicitFunction.h"
 
 namespace recon
 {

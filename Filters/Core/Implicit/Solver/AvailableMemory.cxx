@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "AvailableMemory.h"
+#include "Implicit/Solver/AvailableMemory.h"
 
 #include <algorithm>
 #include <fstream>

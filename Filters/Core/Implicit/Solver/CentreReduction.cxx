@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "CentreReduction.h"
+#include "Implicit/Solver/CentreReduction.h"
 
-#include "../SubMonitor.h"
-#include "../Summation/FunctionEvaluator.h"
-#include "MaxMinOrder.h"
+#include "Base/SubMonitor.h"
+#include "Implicit/FastMultipole/FunctionEvaluator.h"
+#include "Implicit/Solver/MaximinOrder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,7 +35,7 @@ public:
       Taken(points.size(), 0)
   {
     SubMonitor ordering(monitor, 0, 0.02);
-    const MaxMinOrder order(points, ordering);
+    const MaximinOrder order(points, ordering);
     this->Spacing = order.Distances();
     const std::size_t first = std::min(points.size(),
       std::max(

@@ -7,7 +7,7 @@
 #ifndef recon_CentreReduction_h
 #define recon_CentreReduction_h
 
-#include "../ImplicitFunction.h"
+#include "Implicit/ImplicitFunction.h"
 
 namespace recon
 {

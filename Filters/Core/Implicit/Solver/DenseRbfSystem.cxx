@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "../../Parallel.h"
-#include "Lapack.h"
-#include "RbfSystem.h"
+#include "Base/Parallel.h"
+#include "Implicit/Solver/Lapack.h"
+#include "Implicit/Solver/RbfSystem.h"
 
 #include <Eigen/Dense>
 
@@ -288,8 +288,8 @@ public:
     this->A.bottomLeftCorner(4, n) = p.transpose();
     this->Pivots.resize(n + 4);
     const int size = static_cast<int>(n) + 4;
-    return LUInSteps(this->A.data(), this->Pivots.data(), size, monitor,
-      { 0.15, 1, "solving for the weights" });
+    return LUInSteps(
+      this->A.data(), this->Pivots.data(), size, monitor, { 0.15, 1, "solving for the weights" });
   }
 
   RbfSolution Solve(const std::vector<double>& h) const override

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "../../Parallel.h"
-#include "../ImplicitFunction.h"
-#include "../NumberText.h"
-#include "../PointGrid.h"
-#include "../SubMonitor.h"
-#include "../Summation/KernelSums.h"
-#include "AvailableMemory.h"
-#include "CentreReduction.h"
-#include "IterativeRbfSystem.h"
-#include "RbfSystem.h"
+#include "Base/Parallel.h"
+#include "Base/PointGrid.h"
+#include "Base/SubMonitor.h"
+#include "Base/Text.h"
+#include "Implicit/FastMultipole/DirectSums.h"
+#include "Implicit/ImplicitFunction.h"
+#include "Implicit/Solver/AvailableMemory.h"
+#include "Implicit/Solver/CentreReduction.h"
+#include "Implicit/Solver/IterativeRbfSystem.h"
+#include "Implicit/Solver/RbfSystem.h"
 
 #include <Eigen/Dense>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "InverseCholesky.h"
+#include "Implicit/Solver/InverseCholesky.h"
 
-#include "../../Parallel.h"
+#include "Base/Parallel.h"
 
 #include <Eigen/Dense>
 
@@ -23,7 +23,7 @@ namespace recon
 namespace
 {
 constexpr const char* Stage = "preparing the solver";
-constexpr int Simplex = MaxMinOrder::Simplex;
+constexpr int Simplex = MaximinOrder::Simplex;
 constexpr int GroupsPerPiece = 8;
 constexpr int GroupsPerUpdate = 1024;
 constexpr int RowsPerPiece = 4096;
@@ -258,7 +258,7 @@ void InverseCholesky::Workspace::Fill(
 }
 
 InverseCholesky::InverseCholesky(
-  const MaxMinOrder& order, const InverseCholeskyOptions& options, Monitor& monitor)
+  const MaximinOrder& order, const InverseCholeskyOptions& options, Monitor& monitor)
   : Order(order),
     Options(options)
 {

@@ -6,7 +6,7 @@
  *
  * Notation (Schaefer, Katzfuss, Owhadi: Sparse Cholesky factorization by Kullback-Leibler
  * minimization, 2021):
- *   points are ordered from coarse to fine (MaxMinOrder); the first four are the simplex a
+ *   points are ordered from coarse to fine (MaximinOrder); the first four are the simplex a
  *   l_a(x)   the linear function that is 1 at simplex point a and 0 at the other three
  *   E        n x (n - 4), [-l^T; I]: its columns span the weights orthogonal to linear polynomials
  *   K        E^T (Phi + lambda I) E, positive definite: K_ij = phi_ij - l_a(i) phi_aj - ...
@@ -21,7 +21,7 @@
 #ifndef recon_InverseCholesky_h
 #define recon_InverseCholesky_h
 
-#include "MaxMinOrder.h"
+#include "Implicit/Solver/MaximinOrder.h"
 
 #include <array>
 #include <cstdint>
@@ -50,7 +50,7 @@ class InverseCholesky
 {
 public:
   InverseCholesky(
-    const MaxMinOrder& order, const InverseCholeskyOptions& options, Monitor& monitor);
+    const MaximinOrder& order, const InverseCholeskyOptions& options, Monitor& monitor);
 
   /// E^T r, as n numbers of which the first four are 0: r less the linear function that is r at the
   /// simplex.
@@ -88,7 +88,7 @@ private:
   void FindSlots();
   Row Barycentric(const Point3& x) const;
 
-  const MaxMinOrder& Order;
+  const MaximinOrder& Order;
   InverseCholeskyOptions Options;
   std::array<Row, 4> Inverse{}; ///< of the matrix with rows (1, simplex point)
   std::vector<Row> L;           ///< l_a of every point

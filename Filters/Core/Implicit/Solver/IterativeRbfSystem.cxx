@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "IterativeRbfSystem.h"
+#include "Implicit/Solver/IterativeRbfSystem.h"
 
-#include "../../Parallel.h"
-#include "../SubMonitor.h"
-#include "../Summation/FastKernelSum.h"
-#include "../Summation/KernelSums.h"
-#include "InverseCholesky.h"
+#include "Base/Parallel.h"
+#include "Base/SubMonitor.h"
+#include "Implicit/FastMultipole/DirectSums.h"
+#include "Implicit/FastMultipole/FastKernelSum.h"
+#include "Implicit/Solver/InverseCholesky.h"
 
 #include <algorithm>
 #include <cmath>
@@ -117,8 +117,7 @@ public:
 
   Vector operator()(const Vector& w, double accuracy, Monitor& monitor)
   {
-    const double asked =
-      std::clamp(accuracy, FastKernelSum::FinestQuickAccuracy, LoosestAccuracy);
+    const double asked = std::clamp(accuracy, FastKernelSum::FinestQuickAccuracy, LoosestAccuracy);
     return this->Fast ? this->Summed(w, asked, monitor) : this->Exact(w, monitor);
   }
 
@@ -228,7 +227,7 @@ private:
 class ConjugateGradients
 {
 public:
-  ConjugateGradients(const RbfProblem& problem, const MaxMinOrder& order,
+  ConjugateGradients(const RbfProblem& problem, const MaximinOrder& order,
     const InverseCholesky& inverse, const Vector& h, double tolerance, Monitor& monitor)
     : ErrorShare(ErrorShareOf(h.size())),
       Lambda(problem.Lambda),
@@ -322,8 +321,7 @@ private:
   /// Within a descent, which goes on from there (Van der Vorst and Ye 2000: residual replacement).
   void ReplaceResidual()
   {
-    this->Take(
-      this->Multiply.Within(this->Change, ErrorOfTruth * this->Tolerance, this->Watch));
+    this->Take(this->Multiply.Within(this->Change, ErrorOfTruth * this->Tolerance, this->Watch));
     this->Errors = 0;
     // Weights that cancel so much want more digits of the next products too.
     this->ErrorShare *= Tighten;
@@ -434,7 +432,7 @@ IterativeResult SolveIteratively(
   const RbfProblem& problem, const std::vector<double>& h, double tolerance, Monitor& monitor)
 {
   SubMonitor ordering(monitor, 0, Ordered);
-  const MaxMinOrder order(problem.Points, ordering);
+  const MaximinOrder order(problem.Points, ordering);
   SubMonitor preparing(monitor, Ordered, Prepared);
   const InverseCholesky inverse(order, PreconditionerOf(problem), preparing);
   ConjugateGradients solver(problem, order, inverse, h, tolerance, monitor);

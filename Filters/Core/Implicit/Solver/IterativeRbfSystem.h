@@ -9,7 +9,7 @@
 #ifndef recon_IterativeRbfSystem_h
 #define recon_IterativeRbfSystem_h
 
-#include "RbfSystem.h"
+#include "Implicit/Solver/RbfSystem.h"
 
 namespace recon
 {

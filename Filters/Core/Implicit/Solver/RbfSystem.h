@@ -8,14 +8,15 @@
  *   Phi    n x n, Phi_ij = phi(|c_i - c_j|), plus lambda on the diagonal
  *   P      n x 4, rows (1, c_i)
  *   Q R    P = Q R; Q1 its first four columns, Q2 the others: a basis of the space orthogonal to
- * the polynomials w, p   weights and polynomial: Phi w + P p = h, P^T w = 0
+ *          the polynomials
+ *   w, p   weights and polynomial: Phi w + P p = h, P^T w = 0
  */
 #ifndef recon_RbfSystem_h
 #define recon_RbfSystem_h
 
-#include "../../Geometry.h"
-#include "../../Monitor.h"
-#include "../Kernel.h"
+#include "Base/Geometry.h"
+#include "Base/Monitor.h"
+#include "Implicit/Kernel.h"
 
 #include <array>
 #include <memory>

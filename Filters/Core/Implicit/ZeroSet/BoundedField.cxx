@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "BoundedField.h"
+#include "Implicit/ZeroSet/BoundedField.h"
 
 #include <algorithm>
 #include <cmath>

@@ -9,8 +9,8 @@
 #ifndef recon_BoundedField_h
 #define recon_BoundedField_h
 
-#include "../SubMonitor.h"
-#include "../Summation/FunctionEvaluator.h"
+#include "Base/SubMonitor.h"
+#include "Implicit/FastMultipole/FunctionEvaluator.h"
 
 #include <array>
 #include <vector>

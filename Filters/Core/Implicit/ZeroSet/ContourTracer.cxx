@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ContourTracer.h"
+#include "Implicit/ZeroSet/ContourTracer.h"
 
-#include "../../Contours/ContourSetBuilder.h"
-#include "../SubMonitor.h"
-#include "EdgeRoots.h"
-#include "Polygonizer.h"
-#include "SurfaceTracker.h"
+#include "Base/SubMonitor.h"
+#include "Contours/ContourSetBuilder.h"
+#include "Implicit/ZeroSet/EdgeRoots.h"
+#include "Implicit/ZeroSet/Polygonizer.h"
+#include "Implicit/ZeroSet/SurfaceTracker.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,9 +6,9 @@
 #ifndef recon_ContourTracer_h
 #define recon_ContourTracer_h
 
-#include "../../Contours/ContourSet.h"
-#include "../../Monitor.h"
-#include "BoundedField.h"
+#include "Base/Monitor.h"
+#include "Contours/ContourSet.h"
+#include "Implicit/ZeroSet/BoundedField.h"
 
 #include <optional>
 #include <vector>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "EdgeRoots.h"
+#include "Implicit/ZeroSet/EdgeRoots.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,8 +6,8 @@
 #ifndef recon_EdgeRoots_h
 #define recon_EdgeRoots_h
 
-#include "../../Monitor.h"
-#include "BoundedField.h"
+#include "Base/Monitor.h"
+#include "Implicit/ZeroSet/BoundedField.h"
 
 #include <vector>
 

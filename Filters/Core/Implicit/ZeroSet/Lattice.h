@@ -6,7 +6,7 @@
 #ifndef recon_Lattice_h
 #define recon_Lattice_h
 
-#include "BoundedField.h"
+#include "Implicit/ZeroSet/BoundedField.h"
 
 #include <algorithm>
 #include <array>

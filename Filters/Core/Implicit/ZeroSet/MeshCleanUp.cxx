@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "MeshCleanUp.h"
+#include "Implicit/ZeroSet/MeshCleanUp.h"
 
-#include "../../Mesh/SelfIntersections.h"
-#include "../../Mesh/TrianglePair.h"
-#include "../PointGrid.h"
-#include "../SubMonitor.h"
-#include "TriangleGrid.h"
+#include "Base/PointGrid.h"
+#include "Base/SubMonitor.h"
+#include "Implicit/ZeroSet/TriangleGrid.h"
+#include "Mesh/SelfIntersections.h"
+#include "Mesh/TrianglePair.h"
 
 #include <algorithm>
 #include <cmath>

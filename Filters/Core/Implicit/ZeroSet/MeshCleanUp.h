@@ -6,8 +6,8 @@
 #ifndef recon_MeshCleanUp_h
 #define recon_MeshCleanUp_h
 
-#include "../../Mesh/TriangleMesh.h"
-#include "../../Monitor.h"
+#include "Base/Monitor.h"
+#include "Mesh/TriangleMesh.h"
 
 #include <cstdint>
 #include <functional>

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "Polygonizer.h"
+#include "Implicit/ZeroSet/Polygonizer.h"
 
-#include "../../Mesh/TriangleTree.h"
-#include "../../Parallel.h"
-#include "../NumberText.h"
-#include "../PointGrid.h"
-#include "../SubMonitor.h"
-#include "EdgeRoots.h"
-#include "MeshCleanUp.h"
-#include "SurfaceTracker.h"
+#include "Base/Parallel.h"
+#include "Base/PointGrid.h"
+#include "Base/SubMonitor.h"
+#include "Base/Text.h"
+#include "Implicit/ZeroSet/EdgeRoots.h"
+#include "Implicit/ZeroSet/MeshCleanUp.h"
+#include "Implicit/ZeroSet/SurfaceTracker.h"
+#include "Mesh/TriangleTree.h"
 
 #include <algorithm>
 #include <array>

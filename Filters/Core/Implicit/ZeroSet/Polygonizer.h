@@ -6,9 +6,9 @@
 #ifndef recon_Polygonizer_h
 #define recon_Polygonizer_h
 
-#include "../../Mesh/TriangleMesh.h"
-#include "../../Monitor.h"
-#include "BoundedField.h"
+#include "Base/Monitor.h"
+#include "Implicit/ZeroSet/BoundedField.h"
+#include "Mesh/TriangleMesh.h"
 
 #include <optional>
 #include <string>

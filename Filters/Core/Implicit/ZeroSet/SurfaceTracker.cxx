@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "SurfaceTracker.h"
+#include "Implicit/ZeroSet/SurfaceTracker.h"
 
 namespace recon
 {

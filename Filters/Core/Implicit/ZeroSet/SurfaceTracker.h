@@ -7,8 +7,8 @@
 #ifndef recon_SurfaceTracker_h
 #define recon_SurfaceTracker_h
 
-#include "../../Monitor.h"
-#include "Lattice.h"
+#include "Base/Monitor.h"
+#include "Implicit/ZeroSet/Lattice.h"
 
 #include <string>
 #include <unordered_map>

@@ -6,7 +6,7 @@
 #ifndef recon_TriangleGrid_h
 #define recon_TriangleGrid_h
 
-#include "../../Geometry.h"
+#include "Base/Geometry.h"
 
 #include <array>
 #include <cmath>

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Planar/EdgeConflicts.h"
+
+#include "Base/Predicates.h"
+
+#include <CGAL/box_intersection_d.h>
+#include <CGAL/Box_intersection_d/Box_with_info_d.h>
+#include <CGAL/Exact_rational.h>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+namespace recon
+{
+namespace
+{
+using EdgeBox = CGAL::Box_intersection_d::Box_with_info_d<double, 2, int>;
+
+std::size_t Index(int i)
+{
+  return static_cast<std::size_t>(i);
+}
+
+class ConflictFinder
+{
+public:
+  ConflictFinder(const std::vector<Point2>& points, const std::vector<PlanarEdge>& edges)
+    : Points(points),
+      Edges(edges)
+  {
+  }
+
+  EdgeConflicts Find()
+  {
+    std::vector<EdgeBox> boxes;
+    boxes.reserve(this->Edges.size());
+    for (std::size_t i = 0; i < this->Edges.size(); ++i)
+    {
+      const Point2& a = this->At(this->Edges[i].A);
+      const Point2& b = this->At(this->Edges[i].B);
+      const double near = NearlyTouching * LengthOf(this->Edges[i]);
+      boxes.emplace_back(CGAL::Bbox_2(std::min(a[0], b[0]) - near, std::min(a[1], b[1]) - near,
+                           std::max(a[0], b[0]) + near, std::max(a[1], b[1]) + near),
+        static_cast<int>(i));
+    }
+    CGAL::box_self_intersection_d(boxes.begin(), boxes.end(),
+      [this](const EdgeBox& x, const EdgeBox& y)
+      { this->Test(std::min(x.info(), y.info()), std::max(x.info(), y.info())); });
+    std::sort(this->Found.Crossings.begin(), this->Found.Crossings.end(),
+      [](const auto& x, const auto& y)
+      { return std::tie(x.First, x.Second) < std::tie(y.First, y.Second); });
+    std::sort(this->Found.Touches.begin(), this->Found.Touches.end(),
+      [](const auto& x, const auto& y)
+      { return std::tie(x.Edge, x.Vertex, x.Other) < std::tie(y.Edge, y.Vertex, y.Other); });
+    std::sort(this->Found.SamePlace.begin(), this->Found.SamePlace.end(),
+      [](const auto& x, const auto& y)
+      {
+        return std::tie(x.First, x.Second, x.FirstEdge, x.OtherEdge) <
+          std::tie(y.First, y.Second, y.FirstEdge, y.OtherEdge);
+      });
+    return std::move(this->Found);
+  }
+
+private:
+  const Point2& At(int p) const { return this->Points[Index(p)]; }
+
+  double LengthOf(const PlanarEdge& e) const { return Distance(this->At(e.A), this->At(e.B)); }
+
+  static double Distance(const Point2& a, const Point2& b)
+  {
+    return std::hypot(b[0] - a[0], b[1] - a[1]);
+  }
+
+  void Test(int i, int j)
+  {
+    const PlanarEdge& e = this->Edges[Index(i)];
+    const PlanarEdge& f = this->Edges[Index(j)];
+    if (e.A == f.A || e.A == f.B || e.B == f.A || e.B == f.B)
+    {
+      this->TestFan(i, j);
+      return;
+    }
+    if (this->AreTwins(i, j) || this->NearlyTouch(i, j))
+    {
+      return;
+    }
+    const Point2& a = this->At(e.A);
+    const Point2& b = this->At(e.B);
+    const Point2& c = this->At(f.A);
+    const Point2& d = this->At(f.B);
+    const int abc = Turn(a, b, c);
+    const int abd = Turn(a, b, d);
+    if (abc * abd > 0)
+    {
+      return;
+    }
+    const int cda = Turn(c, d, a);
+    const int cdb = Turn(c, d, b);
+    if (cda * cdb > 0)
+    {
+      return;
+    }
+    if (abc * abd < 0 && cda * cdb < 0)
+    {
+      this->Found.Crossings.push_back({ i, j });
+      return;
+    }
+    this->Touch(abc, i, j, f.A);
+    this->Touch(abd, i, j, f.B);
+    this->Touch(cda, j, i, e.A);
+    this->Touch(cdb, j, i, e.B);
+  }
+
+  bool AreTwins(int i, int j)
+  {
+    const PlanarEdge& e = this->Edges[Index(i)];
+    const PlanarEdge& f = this->Edges[Index(j)];
+    const double near = NearlyTouching * std::min(this->LengthOf(e), this->LengthOf(f));
+    bool any = false;
+    for (int p : { e.A, e.B })
+    {
+      for (int q : { f.A, f.B })
+      {
+        if (Distance(this->At(p), this->At(q)) <= near)
+        {
+          this->Found.SamePlace.push_back({ std::min(p, q), std::max(p, q), i, j });
+          any = true;
+        }
+      }
+    }
+    return any;
+  }
+
+  bool NearlyTouch(int i, int j)
+  {
+    const PlanarEdge& e = this->Edges[Index(i)];
+    const PlanarEdge& f = this->Edges[Index(j)];
+    const bool first = this->TouchIfNear(i, j, f.A);
+    const bool second = this->TouchIfNear(i, j, f.B);
+    const bool third = this->TouchIfNear(j, i, e.A);
+    const bool fourth = this->TouchIfNear(j, i, e.B);
+    return first || second || third || fourth;
+  }
+
+  bool TouchIfNear(int edge, int other, int vertex)
+  {
+    const PlanarEdge& e = this->Edges[Index(edge)];
+    const Point2& a = this->At(e.A);
+    const Point2 along{ this->At(e.B)[0] - a[0], this->At(e.B)[1] - a[1] };
+    const Point2 to{ this->At(vertex)[0] - a[0], this->At(vertex)[1] - a[1] };
+    const double length2 = along[0] * along[0] + along[1] * along[1];
+    const double forward = along[0] * to[0] + along[1] * to[1];
+    const double aside = along[0] * to[1] - along[1] * to[0];
+    if (forward <= 0 || forward >= length2 || std::abs(aside) > NearlyTouching * length2)
+    {
+      return false;
+    }
+    this->Found.Touches.push_back({ edge, other, vertex });
+    return true;
+  }
+
+  /// Two edges of one end point overlap where they leave it in the same direction.
+  void TestFan(int i, int j)
+  {
+    const PlanarEdge& e = this->Edges[Index(i)];
+    const PlanarEdge& f = this->Edges[Index(j)];
+    const int common = (e.A == f.A || e.A == f.B) ? e.A : e.B;
+    const int p = e.A == common ? e.B : e.A;
+    const int q = f.A == common ? f.B : f.A;
+    if (Turn(this->At(common), this->At(p), this->At(q)) == 0)
+    {
+      this->Touch(0, i, j, q);
+      this->Touch(0, j, i, p);
+    }
+  }
+
+  void Touch(int turn, int edge, int other, int vertex)
+  {
+    const PlanarEdge& e = this->Edges[Index(edge)];
+    if (turn == 0 && StrictlyBetween(this->At(e.A), this->At(e.B), this->At(vertex)))
+    {
+      this->Found.Touches.push_back({ edge, other, vertex });
+    }
+  }
+
+  const std::vector<Point2>& Points;
+  const std::vector<PlanarEdge>& Edges;
+  EdgeConflicts Found;
+};
+}
+
+EdgeConflicts FindEdgeConflicts(
+  const std::vector<Point2>& points, const std::vector<PlanarEdge>& edges)
+{
+  return ConflictFinder(points, edges).Find();
+}
+
+Point2 CrossingPoint(const Point2& a, const Point2& b, const Point2& c, const Point2& d)
+{
+  using Rational = CGAL::Exact_rational;
+  const Rational ux = Rational(b[0]) - Rational(a[0]);
+  const Rational uy = Rational(b[1]) - Rational(a[1]);
+  const Rational vx = Rational(d[0]) - Rational(c[0]);
+  const Rational vy = Rational(d[1]) - Rational(c[1]);
+  const Rational wx = Rational(c[0]) - Rational(a[0]);
+  const Rational wy = Rational(c[1]) - Rational(a[1]);
+  const Rational t = (wx * vy - wy * vx) / (ux * vy - uy * vx);
+  return { CGAL::to_double(Rational(a[0]) + t * ux), CGAL::to_double(Rational(a[1]) + t * uy) };
+}
+}
