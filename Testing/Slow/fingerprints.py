@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Tell whether two builds make the same surfaces, to the last bit.
+
+    CONTOUR_PLUGIN=.../ContourReconstruction.so pvpython fingerprints.py write OUT.json [--only TEXT] [--method psm|ism]
+    python3 fingerprints.py compare OLD.json NEW.json
+
+`write` reconstructs every region of Data/ and, where it is there, of the shared data, by both methods with
+default settings, and writes a digest a region: of points and triangles, and of the lines of Report. The
+implicit method runs at full detail up to FULL_DETAIL_POINTS contour points, and at Medium beyond, as
+otherwise it would take an hour. `compare` names every region whose digest differs and exits with 1.
+"""
+import argparse
+import glob
+import hashlib
+import json
+import os
+import sys
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+SOURCE = os.path.dirname(os.path.dirname(HERE))
+SHARED = os.environ.get("CONTOUR_SHARED_DATA", os.path.join(SOURCE, "..", "shared", "data"))
+FULL_DETAIL_POINTS = 3000
+PATTERNS = ("rtstruct/*.dcm", "rtstruct/phantoms/*.dcm", "cnt/*.cnt", "csl/*.csl", "contour/*.contour", "ibsi/*.dcm")
+
+
+def files(only):
+    own = glob.glob(os.path.join(SOURCE, "Data", "*.cnt")) + glob.glob(os.path.join(SOURCE, "Data", "*.csl"))
+    found = [("Data/" + os.path.basename(path), path) for path in sorted(own)]
+    for pattern in PATTERNS:
+        found += [(os.path.relpath(path, SHARED), path) for path in sorted(glob.glob(os.path.join(SHARED, pattern)))]
+    return [(name, path) for name, path in found if only in name]
+
+
+def digest(data):
+    """(digest of geometry, digest of Report) of a surface."""
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+    geometry = hashlib.sha256()
+    if data.GetNumberOfPoints():
+        geometry.update(vtk_to_numpy(data.GetPoints().GetData()).tobytes())
+    if data.GetNumberOfPolys():
+        geometry.update(vtk_to_numpy(data.GetPolys().GetConnectivityArray()).astype("int64").tobytes())
+    lines = data.GetFieldData().GetAbstractArray("Report")
+    report = "\n".join(lines.GetValue(i) for i in range(lines.GetNumberOfValues())) if lines else ""
+    return geometry.hexdigest()[:16], hashlib.sha256(report.encode()).hexdigest()[:16]
+
+
+def write(options):
+    sys.path.insert(0, os.path.join(SOURCE, "Plugin", "commandline"))
+    import contourcli as cli
+    from paraview import simple
+    cli.load_plugin()
+    found = {}
+    for name, path in files(options.only):
+        try:
+            blocks, _ = cli.read_contours(path)
+        except cli.CommandError as error:
+            found[name] = ["refused", str(error).replace(path, name)]
+            continue
+        for block in blocks:
+            if block.empty:
+                continue
+            for method in options.method or ["psm", "ism"]:
+                node = getattr(simple, cli.METHODS[method])(Input=cli.as_source(block.data))
+                if method == "ism" and block.data.GetNumberOfPoints() > FULL_DETAIL_POINTS:
+                    node.Detail = "Medium"
+                key = f"{name} {block.name} {method}"
+                try:
+                    cli.run_proxy(node)
+                    data = node.GetClientSideObject().GetOutputDataObject(0)
+                    found[key] = [data.GetNumberOfPolys(), *digest(data)]
+                except cli.CommandError as error:
+                    found[key] = ["refused", str(error).replace(path, name)]
+                print(key, found[key][0], file=sys.stderr, flush=True)
+                simple.Delete(node)
+    with open(options.out, "w", encoding="utf-8") as file:
+        json.dump(found, file, indent=1, sort_keys=True)
+    print(f"{len(found)} regions in {options.out}")
+
+
+def compare(options):
+    old, new = (json.load(open(path, encoding="utf-8")) for path in (options.old, options.new))
+    same, different = 0, []
+    for key in sorted(set(old) | set(new)):
+        a, b = old.get(key), new.get(key)
+        if a is None or b is None:
+            different.append(f"{key}: only in the {'new' if a is None else 'old'} one")
+        elif a[:2] != b[:2]:
+            different.append(f"{key}: {a[0]} triangles were, {b[0]} are; or other coordinates"
+                             if "refused" not in (a[0], b[0]) else f"{key}: {a[:2]} was, {b[:2]} is")
+        else:
+            same += 1
+            if a[2:] != b[2:]:
+                different.append(f"{key}: the same surface, another Report")
+    print("\n".join(different))
+    print(f"{same} surfaces the same to the last bit, {len(different)} lines above")
+    return 1 if different else 0
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    commands = parser.add_subparsers(dest="command", required=True)
+    writing = commands.add_parser("write")
+    writing.add_argument("out")
+    writing.add_argument("--only", default="", help="files whose name has this in it")
+    writing.add_argument("--method", action="append", choices=["psm", "ism"])
+    comparing = commands.add_parser("compare")
+    comparing.add_argument("old")
+    comparing.add_argument("new")
+    options = parser.parse_args()
+    sys.exit(write(options) if options.command == "write" else compare(options))
+
+
+main()
