@@ -8,6 +8,8 @@
 
 #include "Base/Monitor.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <functional>
 
 namespace recon
@@ -29,6 +31,32 @@ struct ProgressRange
  */
 void ParallelFor(int count, int threads, const std::function<void(int)>& body, Monitor& monitor,
   const ProgressRange& range);
+
+/**
+ * Call body(from, to) for [0, count) cut into blocks of `block`, in the same way.
+ *
+ * Fewer than `leastBlocks` blocks are done by the calling thread, as threads cost more than they save.
+ */
+template <typename Body>
+void ParallelForBlocks(std::size_t count, std::size_t block, int threads, const Body& body,
+  Monitor& monitor, const ProgressRange& range, std::size_t leastBlocks = 1)
+{
+  const std::size_t blocks = (count + block - 1) / block;
+  const auto run = [&](int number)
+  {
+    const std::size_t from = static_cast<std::size_t>(number) * block;
+    body(from, std::min(count, from + block));
+  };
+  if (blocks < leastBlocks || blocks == 0)
+  {
+    for (std::size_t number = 0; number < blocks; ++number)
+    {
+      run(static_cast<int>(number));
+    }
+    return;
+  }
+  ParallelFor(static_cast<int>(blocks), threads, run, monitor, range);
+}
 }
 
 #endif

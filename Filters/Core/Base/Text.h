@@ -1,30 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @file Text.h
- * @brief Numbers in sentences for the user.
+ * @brief Numbers, counts and lists in sentences for the user; the one way to write them.
  */
 #ifndef recon_Text_h
 #define recon_Text_h
 
 #include "Base/Geometry.h"
 
-#include <cstdio>
+#include <cstddef>
 #include <string>
+#include <vector>
 
 namespace recon
 {
 /// Six digits, as many as a user can act upon.
-inline std::string Text(double x)
-{
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", x);
-  return text;
-}
+std::string Text(double x);
 
-inline std::string Text(const Point3& p)
-{
-  return "(" + Text(p[0]) + ", " + Text(p[1]) + ", " + Text(p[2]) + ")";
-}
+/// "(1, 2.5, 3)"
+std::string Text(const Point3& p);
+
+/// "1 contour", "2 contours"
+std::string Counted(std::size_t count, const std::string& noun);
+
+/// "3, 5 and 8"; beyond `most` of them "3, 5 and 17 more".
+std::string Listed(const std::vector<std::string>& words, std::size_t most);
+std::string Listed(const std::vector<int>& numbers, std::size_t most);
 }
 
 #endif

@@ -6,6 +6,7 @@
 #ifndef recon_ContourSet_h
 #define recon_ContourSet_h
 
+#include "Base/BoundingBox.h"
 #include "Base/Geometry.h"
 
 #include <string>
@@ -83,6 +84,20 @@ struct ContourSet
   std::vector<Contour> Contours;
   std::vector<Level> Levels;
   std::vector<std::string> Report; ///< a sentence for everything repaired or left out
+
+  /// The box around all points of contours.
+  Box3 Bounds() const
+  {
+    Box3 box;
+    for (const Contour& contour : this->Contours)
+    {
+      for (const int p : contour.Points)
+      {
+        box.Add(this->Points[p]);
+      }
+    }
+    return box;
+  }
 };
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Mesh/ComponentNesting.h"
 
-#include "Mesh/MeshPredicates.h"
+#include "Base/Predicates.h"
 
 #include <algorithm>
 #include <limits>

@@ -3,10 +3,10 @@
 
 #include "Base/DisjointSets.h"
 #include "Base/Monitor.h"
+#include "Base/Predicates.h"
 #include "Mesh/ComponentNesting.h"
 #include "Mesh/MassProperties.h"
 #include "Mesh/MeshDefects.h"
-#include "Mesh/MeshPredicates.h"
 
 #include <algorithm>
 #include <cstdint>

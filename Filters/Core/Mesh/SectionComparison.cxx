@@ -2,7 +2,7 @@
 #include "Mesh/SectionComparison.h"
 
 #include "Base/Parallel.h"
-#include "Mesh/MeshPredicates.h"
+#include "Base/Predicates.h"
 #include "Mesh/MeshTopology.h"
 #include "Mesh/TriangleTree.h"
 #include "Planar/PlanarDifference.h"

@@ -10,7 +10,7 @@
  */
 #include "Mesh/TrianglePair.h"
 
-#include "Mesh/MeshPredicates.h"
+#include "Base/Predicates.h"
 
 #include <algorithm>
 #include <utility>

@@ -28,15 +28,6 @@ Point3 Along(const Point3& a, const Vector3& direction, double t)
   return a + t * direction;
 }
 
-double SquaredDistanceToSegment(const Point3& p, const Point3& a, const Point3& b)
-{
-  const Vector3 ab = b - a;
-  const double length = Dot(ab, ab);
-  const double t = length > 0 ? std::clamp(Dot(p - a, ab) / length, 0.0, 1.0) : 0.0;
-  const Vector3 rest = p - Along(a, ab, t);
-  return Dot(rest, rest);
-}
-
 /// Inside the prism over the triangle the distance to its plane, elsewhere that to its border.
 double SquaredDistanceToTriangle(const Point3& p, const Point3& a, const Point3& b, const Point3& c)
 {

@@ -68,11 +68,6 @@ private:
 
   double LengthOf(const PlanarEdge& e) const { return Distance(this->At(e.A), this->At(e.B)); }
 
-  static double Distance(const Point2& a, const Point2& b)
-  {
-    return std::hypot(b[0] - a[0], b[1] - a[1]);
-  }
-
   void Test(int i, int j)
   {
     const PlanarEdge& e = this->Edges[Index(i)];
@@ -90,14 +85,14 @@ private:
     const Point2& b = this->At(e.B);
     const Point2& c = this->At(f.A);
     const Point2& d = this->At(f.B);
-    const int abc = Turn(a, b, c);
-    const int abd = Turn(a, b, d);
+    const int abc = Orientation2(a, b, c);
+    const int abd = Orientation2(a, b, d);
     if (abc * abd > 0)
     {
       return;
     }
-    const int cda = Turn(c, d, a);
-    const int cdb = Turn(c, d, b);
+    const int cda = Orientation2(c, d, a);
+    const int cdb = Orientation2(c, d, b);
     if (cda * cdb > 0)
     {
       return;
@@ -169,7 +164,7 @@ private:
     const int common = (e.A == f.A || e.A == f.B) ? e.A : e.B;
     const int p = e.A == common ? e.B : e.A;
     const int q = f.A == common ? f.B : f.A;
-    if (Turn(this->At(common), this->At(p), this->At(q)) == 0)
+    if (Orientation2(this->At(common), this->At(p), this->At(q)) == 0)
     {
       this->Touch(0, i, j, q);
       this->Touch(0, j, i, p);

@@ -106,7 +106,7 @@ private:
       {
         return rightE;
       }
-      return Turn(o, this->Points[Index(this->Other(e, p))],
+      return Orientation2(o, this->Points[Index(this->Other(e, p))],
                this->Points[Index(this->Other(f, p))]) > 0;
     };
     std::sort(this->Fan.begin() + this->First[Index(p)],
@@ -145,7 +145,7 @@ private:
     const int f = this->Fan[Index(this->First[Index(p)]) + 1];
     const bool two = this->First[Index(p) + 1] - this->First[Index(p)] == 2;
     const bool swap = two &&
-      Turn(this->Points[Index(p)], this->Points[Index(this->Other(e, p))],
+      Orientation2(this->Points[Index(p)], this->Points[Index(this->Other(e, p))],
         this->Points[Index(this->Other(f, p))]) < 0;
     return swap ? f : e;
   }

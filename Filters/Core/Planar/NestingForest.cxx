@@ -113,7 +113,7 @@ private:
     {
       return e < f;
     }
-    return Turn(this->At(x.Left), this->At(x.Right), this->At(y.Right)) > 0;
+    return Orientation2(this->At(x.Left), this->At(x.Right), this->At(y.Right)) > 0;
   }
 
   /// Order of two edges that the sweep line meets at once; they do not cross.
@@ -131,9 +131,9 @@ private:
     }
     if (this->At(x.Left) < this->At(y.Left))
     {
-      return Turn(this->At(x.Left), this->At(x.Right), this->At(y.Left)) > 0;
+      return Orientation2(this->At(x.Left), this->At(x.Right), this->At(y.Left)) > 0;
     }
-    return Turn(this->At(y.Left), this->At(y.Right), this->At(x.Left)) < 0;
+    return Orientation2(this->At(y.Left), this->At(y.Right), this->At(x.Left)) < 0;
   }
 
   /// The first edge of a loop that comes in is the lower one at its leftmost point.
@@ -168,7 +168,7 @@ int SenseOf(const std::vector<Point2>& points, const std::vector<int>& loop)
     [&points](int p, int q) { return points[Index(p)] < points[Index(q)]; });
   const auto i = static_cast<std::size_t>(smallest - loop.begin());
   const std::size_t n = loop.size();
-  return Turn(
+  return Orientation2(
     points[Index(loop[(i + n - 1) % n])], points[Index(loop[i])], points[Index(loop[(i + 1) % n])]);
 }
 

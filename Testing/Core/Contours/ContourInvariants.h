@@ -58,7 +58,8 @@ inline bool EdgesMeetWrongly(const ContourSet& set, const LevelEdge& e, const Le
   const Point2& b = set.Planar[At(e.B)];
   const Point2& c = set.Planar[At(f.A)];
   const Point2& d = set.Planar[At(f.B)];
-  const int abc = Turn(a, b, c), abd = Turn(a, b, d), cda = Turn(c, d, a), cdb = Turn(c, d, b);
+  const int abc = Orientation2(a, b, c), abd = Orientation2(a, b, d), cda = Orientation2(c, d, a),
+            cdb = Orientation2(c, d, b);
   if (abc * abd < 0 && cda * cdb < 0)
   {
     return true;
@@ -102,13 +103,13 @@ inline int Encloses(const ContourSet& set, const Contour& contour, const Point2&
   {
     const Point2& a = set.Planar[At(p[i])];
     const Point2& b = set.Planar[At(p[(i + 1) % p.size()])];
-    if (a == q || (Turn(a, b, q) == 0 && StrictlyBetween(a, b, q)))
+    if (a == q || (Orientation2(a, b, q) == 0 && StrictlyBetween(a, b, q)))
     {
       return -1;
     }
     if ((a[1] > q[1]) != (b[1] > q[1]))
     {
-      const int turn = a[1] < b[1] ? Turn(a, b, q) : Turn(b, a, q);
+      const int turn = a[1] < b[1] ? Orientation2(a, b, q) : Orientation2(b, a, q);
       inside = (turn > 0) != inside;
     }
   }

@@ -187,7 +187,7 @@ TEST(HoleRule, RandomLoopsByDefinition)
         if ((a[1] <= q[1]) != (b[1] <= q[1]))
         {
           const bool up = b[1] > a[1];
-          count += (Turn(a, b, q) > 0) == up ? (up ? 1 : -1) : 0;
+          count += (Orientation2(a, b, q) > 0) == up ? (up ? 1 : -1) : 0;
         }
       }
       return count;

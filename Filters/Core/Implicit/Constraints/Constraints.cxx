@@ -55,41 +55,6 @@ struct VertexMargins
   int Level = -1;
 };
 
-struct Box
-{
-  Point3 Low{ std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
-    std::numeric_limits<double>::infinity() };
-  Point3 High{ -std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
-    -std::numeric_limits<double>::infinity() };
-
-  void Add(const Point3& p)
-  {
-    for (int a = 0; a < 3; ++a)
-    {
-      this->Low[a] = std::min(this->Low[a], p[a]);
-      this->High[a] = std::max(this->High[a], p[a]);
-    }
-  }
-  void Add(const Box& other)
-  {
-    this->Add(other.Low);
-    this->Add(other.High);
-  }
-};
-
-Box BoundingBox(const ContourSet& contours)
-{
-  Box box;
-  for (const Contour& contour : contours.Contours)
-  {
-    for (const int p : contour.Points)
-    {
-      box.Add(contours.Points[p]);
-    }
-  }
-  return box;
-}
-
 /// Finds room for the two margins of every vertex of one level.
 class LevelMargins
 {
@@ -428,7 +393,7 @@ private:
     {
       return;
     }
-    Box joint = this->Boxes[i];
+    Box3 joint = this->Boxes[i];
     joint.Add(this->Boxes[j]);
     for (int a = 0; a < 3; ++a)
     {
@@ -441,7 +406,7 @@ private:
     this->Boxes[std::min(i, j)] = joint;
   }
 
-  std::vector<Box> Boxes;
+  std::vector<Box3> Boxes;
   std::vector<int> Parent;
   Vector3 Limit;
 };
@@ -480,7 +445,7 @@ std::vector<VertexMargins> MergeAtCrossings(const ContourSet& contours,
   const std::vector<VertexMargins>& margins, double part, double distance,
   std::vector<std::string>& report)
 {
-  const Box box = BoundingBox(contours);
+  const Box3 box = contours.Bounds();
   MergeGroups groups(contours, margins, part * (box.High - box.Low));
   std::vector<std::vector<int>> members(margins.size());
   for (int i = 0; i < static_cast<int>(margins.size()); ++i)
@@ -557,7 +522,7 @@ void AppendCorners(
   {
     Append(set, m.Vertex, 0, ConstraintSet::Boundary, m.Contour);
   }
-  const Box box = BoundingBox(contours);
+  const Box3 box = contours.Bounds();
   for (int corner = 0; corner < 8; ++corner)
   {
     const Point3 p{ corner & 1 ? box.High[0] : box.Low[0], corner & 2 ? box.High[1] : box.Low[1],
@@ -636,7 +601,7 @@ void CheckConstraintInput(const ContourSet& contours, const ConstraintOptions& o
       "contour on another plane.");
   }
   CheckResampledPoints(contours, options.ResampleSpacing);
-  const Box box = BoundingBox(contours);
+  const Box3 box = contours.Bounds();
   const double diagonal = Norm(box.High - box.Low);
   if (options.MarginDistance > 0 && options.MarginDistance < LeastMarginDistance * diagonal)
   {

@@ -10,11 +10,6 @@ namespace recon
 {
 namespace
 {
-double Distance(const Point2& a, const Point2& b)
-{
-  return std::hypot(a[0] - b[0], a[1] - b[1]);
-}
-
 double SignedAreaOf(const ContourSet& set, const std::vector<int>& points)
 {
   const Point2& o = set.Planar[points.front()];

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Implicit/FastMultipole/DirectSums.h"
 
+#include "Base/SimdClones.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,12 +11,6 @@
 // point's own sum runs over the centres in their order. So a result does not depend on which points
 // stand beside it, nor on the width of the processor's registers: the wide version is the same
 // arithmetic (no fused operations).
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
-  !defined(__SANITIZE_ADDRESS__)
-#define RECON_WIDE __attribute__((target_clones("avx2", "default")))
-#else
-#define RECON_WIDE
-#endif
 
 namespace recon
 {
@@ -45,7 +41,7 @@ Block Load(const Point3* points, std::size_t count)
 
 using Sums = std::array<double, Lanes>;
 
-RECON_WIDE void SumTriharmonic(
+RECON_CLONES_EXACT void SumTriharmonic(
   const Point3* centres, const double* weights, std::size_t n, const Block& at, Sums& out)
 {
   Sums sum{};
@@ -71,7 +67,7 @@ RECON_WIDE void SumTriharmonic(
   out = sum;
 }
 
-RECON_WIDE void SumWendland(const Point3* centres, const double* weights, std::size_t n,
+RECON_CLONES_EXACT void SumWendland(const Point3* centres, const double* weights, std::size_t n,
   double inverseRadius, const Block& at, Sums& out)
 {
   Sums sum{};
@@ -102,7 +98,7 @@ struct GradientSums
   Sums Z;
 };
 
-RECON_WIDE void SumTriharmonicGradients(
+RECON_CLONES_EXACT void SumTriharmonicGradients(
   const Point3* centres, const double* weights, std::size_t n, const Block& at, GradientSums& out)
 {
   Sums sx{};

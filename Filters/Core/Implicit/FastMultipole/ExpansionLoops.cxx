@@ -1,16 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Implicit/FastMultipole/ExpansionLoops.h"
 
-#include <cmath>
+#include "Base/SimdClones.h"
 
-// Three versions of each loop, chosen when the program is loaded. Compilers that do not know the
-// levels by name (GCC before 12) and other processors make the plain one alone.
-#if defined(__x86_64__) && defined(__GNUC__) && __GNUC__ >= 12 && !defined(__clang__) && \
-  !defined(__SANITIZE_ADDRESS__)
-#define RECON_VERSIONS __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
-#else
-#define RECON_VERSIONS
-#endif
+#include <cmath>
 
 namespace recon
 {
@@ -48,7 +41,7 @@ struct ChebyshevSlopes
     }                                                                            \
   }
 
-RECON_VERSIONS void Apply(const SparseOperator& op, const double* x, double* y)
+RECON_CLONES_WIDEST void Apply(const SparseOperator& op, const double* x, double* y)
 {
   const int rows = op.Rows();
   const std::int32_t* start = op.RowStart.data();
@@ -73,7 +66,7 @@ RECON_VERSIONS void Apply(const SparseOperator& op, const double* x, double* y)
   }
 }
 
-RECON_VERSIONS void Multiply(const DenseProduct& product)
+RECON_CLONES_WIDEST void Multiply(const DenseProduct& product)
 {
   constexpr int Block = 4;
   const std::size_t lda = product.LdA;
@@ -128,7 +121,7 @@ RECON_VERSIONS void Multiply(const DenseProduct& product)
   }
 }
 
-RECON_VERSIONS void AddMoments(int order, const LanePoints& at, const Lane& w, double* moments)
+RECON_CLONES_WIDEST void AddMoments(int order, const LanePoints& at, const Lane& w, double* moments)
 {
   const double* weights = w.data();
   ChebyshevValues x;
@@ -167,7 +160,8 @@ RECON_VERSIONS void AddMoments(int order, const LanePoints& at, const Lane& w, d
   }
 }
 
-RECON_VERSIONS void ExpandValues(int order, const double* local, const LanePoints& at, Lane& values)
+RECON_CLONES_WIDEST void ExpandValues(
+  int order, const double* local, const LanePoints& at, Lane& values)
 {
   ChebyshevValues x;
   ChebyshevValues y;
@@ -222,7 +216,7 @@ RECON_VERSIONS void ExpandValues(int order, const double* local, const LanePoint
     }                                                                                        \
   }
 
-RECON_VERSIONS void ExpandGradients(
+RECON_CLONES_WIDEST void ExpandGradients(
   int order, const double* local, const LanePoints& at, Lane& values, LanePoints& gradients)
 {
   ChebyshevValues x;
@@ -279,7 +273,7 @@ RECON_VERSIONS void ExpandGradients(
   }
 }
 
-RECON_VERSIONS void AddNearValues(const SourcePoints& sources, const SourceRange* ranges,
+RECON_CLONES_WIDEST void AddNearValues(const SourcePoints& sources, const SourceRange* ranges,
   std::size_t count, const LanePoints& at, Lane& values)
 {
 
@@ -315,7 +309,7 @@ RECON_VERSIONS void AddNearValues(const SourcePoints& sources, const SourceRange
   }
 }
 
-RECON_VERSIONS void AddNearGradients(const SourcePoints& sources, const SourceRange* ranges,
+RECON_CLONES_WIDEST void AddNearGradients(const SourcePoints& sources, const SourceRange* ranges,
   std::size_t count, const LanePoints& at, Lane& values, LanePoints& gradients)
 {
   const double* ax = at.X.data();

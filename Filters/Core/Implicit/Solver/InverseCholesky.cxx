@@ -2,6 +2,7 @@
 #include "Implicit/Solver/InverseCholesky.h"
 
 #include "Base/Parallel.h"
+#include "Base/SimdClones.h"
 
 #include <Eigen/Dense>
 
@@ -11,12 +12,6 @@
 
 // The wide version may fuse operations: a preconditioner's last bits matter to nobody, as long as
 // they are the same for any number of threads.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
-  !defined(__SANITIZE_ADDRESS__)
-#define RECON_WIDE __attribute__((target_clones("arch=haswell", "default")))
-#else
-#define RECON_WIDE
-#endif
 
 namespace recon
 {
@@ -44,7 +39,7 @@ int PiecesOf(std::size_t count, int perPiece)
 }
 
 /// a[0..count) -= the product of four columns with four factors.
-RECON_WIDE void SubtractFour(
+RECON_CLONES_FUSED void SubtractFour(
   double* a, const double* columns, std::size_t stride, const double* factors, int count)
 {
   const double* c0 = columns;
@@ -61,7 +56,7 @@ RECON_WIDE void SubtractFour(
   }
 }
 
-RECON_WIDE void SubtractOne(double* a, const double* column, double factor, int count)
+RECON_CLONES_FUSED void SubtractOne(double* a, const double* column, double factor, int count)
 {
   for (int i = 0; i < count; ++i)
   {
@@ -127,7 +122,7 @@ bool Cholesky(double* a, int size)
 }
 
 /// x := L^-T x for eight right-hand sides beside one another, rows [0, last].
-RECON_WIDE void SolveTransposed(const double* factor, int size, int last, double* x)
+RECON_CLONES_FUSED void SolveTransposed(const double* factor, int size, int last, double* x)
 {
   for (int i = last; i >= 0; --i)
   {
@@ -153,7 +148,7 @@ RECON_WIDE void SolveTransposed(const double* factor, int size, int last, double
   }
 }
 
-RECON_WIDE double DotOf(const double* a, const double* b, int count)
+RECON_CLONES_FUSED double DotOf(const double* a, const double* b, int count)
 {
   double sums[Lanes] = {};
   int i = 0;
@@ -195,7 +190,8 @@ namespace
 {
 /// One column of K from row j on; data holds the coordinates and the eight rows of l and q, each
 /// `size` long.
-RECON_WIDE void FillColumn(const double* data, int size, int j, double lambda, double* column)
+RECON_CLONES_FUSED void FillColumn(
+  const double* data, int size, int j, double lambda, double* column)
 {
   const double* x = data;
   const double* y = data + size;

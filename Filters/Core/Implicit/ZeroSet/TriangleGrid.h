@@ -7,11 +7,8 @@
 #define recon_TriangleGrid_h
 
 #include "Base/Geometry.h"
+#include "Base/SpatialHash.h"
 
-#include <array>
-#include <cmath>
-#include <cstdint>
-#include <unordered_map>
 #include <vector>
 
 namespace recon
@@ -26,79 +23,34 @@ namespace recon
 class TriangleGrid
 {
 public:
-  explicit TriangleGrid(double cell) : Cell(cell) {}
+  explicit TriangleGrid(double cell) : Hash(cell) {}
 
   void Put(int triangle, const Point3& low, const Point3& high)
   {
-    const Range range = this->RangeOf(low, high);
+    const SpatialHash<3>::Range range = this->Hash.RangeOf({ low, high });
     if (triangle >= static_cast<int>(this->Last.size()))
     {
-      this->Last.resize(static_cast<std::size_t>(triangle) + 1, Range{ 0, 0, 0, -1, -1, -1 });
+      this->Last.resize(static_cast<std::size_t>(triangle) + 1, { { 0, 0, 0 }, { -1, -1, -1 } });
     }
     if (this->Last[triangle] == range)
     {
       return;
     }
     this->Last[triangle] = range;
-    ForCells(range, [&](std::uint64_t key) { this->Cells[key].push_back(triangle); });
+    this->Hash.Put(triangle, range);
   }
 
   /// visit(triangle) for all that may meet the box, until it returns true. @returns whether it did.
   template <typename Visit>
   bool AnyNear(const Point3& low, const Point3& high, const Visit& visit) const
   {
-    bool found = false;
-    ForCells(this->RangeOf(low, high),
-      [&](std::uint64_t key)
-      {
-        const auto place = found ? this->Cells.end() : this->Cells.find(key);
-        if (place == this->Cells.end())
-        {
-          return;
-        }
-        for (std::size_t i = 0; i < place->second.size() && !found; ++i)
-        {
-          found = visit(place->second[i]);
-        }
-      });
-    return found;
+    return SpatialHash<3>::ForCells(this->Hash.RangeOf({ low, high }),
+      [&](const SpatialHash<3>::Cell& cell) { return this->Hash.AnyIn(cell, visit); });
   }
 
 private:
-  using Range = std::array<std::int64_t, 6>;
-
-  Range RangeOf(const Point3& low, const Point3& high) const
-  {
-    Range range{};
-    for (int a = 0; a < 3; ++a)
-    {
-      range[a] = static_cast<std::int64_t>(std::floor(low[a] / this->Cell));
-      range[3 + a] = static_cast<std::int64_t>(std::floor(high[a] / this->Cell));
-    }
-    return range;
-  }
-
-  template <typename Visit>
-  static void ForCells(const Range& range, const Visit& visit)
-  {
-    for (auto i = range[0]; i <= range[3]; ++i)
-    {
-      for (auto j = range[1]; j <= range[4]; ++j)
-      {
-        for (auto k = range[2]; k <= range[5]; ++k)
-        {
-          // Cubes may share a key: then there are more candidates.
-          std::uint64_t key = static_cast<std::uint64_t>(i) * 0x9E3779B97F4A7C15ull;
-          key = (key ^ (key >> 29)) + static_cast<std::uint64_t>(j) * 0xBF58476D1CE4E5B9ull;
-          visit((key ^ (key >> 32)) + static_cast<std::uint64_t>(k) * 0x94D049BB133111EBull);
-        }
-      }
-    }
-  }
-
-  double Cell;
-  std::unordered_map<std::uint64_t, std::vector<int>> Cells;
-  std::vector<Range> Last;
+  SpatialHash<3> Hash;
+  std::vector<SpatialHash<3>::Range> Last;
 };
 }
 
