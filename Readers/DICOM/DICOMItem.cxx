@@ -16,15 +16,14 @@ namespace recon
 {
 namespace
 {
-/// The text of an item's contour data, trimmed; empty where there is none.
-std::string_view ContourText(DcmItem& contour, const std::string& where)
+/// The text of an item's contour data, trimmed and empty where there is none; whether it can be
+/// read.
+bool GetContourText(DcmItem& contour, std::string_view& data)
 {
-  const auto fail = [&where]
-  { throw Error(where + ": " + TagName(DCM_ContourData) + " cannot be read to its end."); };
   DcmElement* element = nullptr;
   if (contour.findAndGetElement(DCM_ContourData, element).bad() || !element)
   {
-    return {};
+    return true;
   }
   // Explicit VR has 16 bits for the length of a DS; longer ones are written as UN.
   if (element->ident() == EVR_UN || element->ident() == EVR_OB)
@@ -32,19 +31,47 @@ std::string_view ContourText(DcmItem& contour, const std::string& where)
     Uint8* bytes = nullptr;
     if (element->getUint8Array(bytes).bad())
     {
-      fail();
+      return false;
     }
-    return bytes
-      ? Trimmed(std::string_view(reinterpret_cast<const char*>(bytes), element->getLength()))
-      : std::string_view();
+    if (bytes)
+    {
+      data = Trimmed(std::string_view(reinterpret_cast<const char*>(bytes), element->getLength()));
+    }
+    return true;
   }
   char* text = nullptr;
   Uint32 length = 0;
   if (element->getString(text, length).bad())
   {
-    fail();
+    return false;
   }
-  return text ? Trimmed(std::string_view(text, length)) : std::string_view();
+  if (text)
+  {
+    data = Trimmed(std::string_view(text, length));
+  }
+  return true;
+}
+
+std::string_view WithoutLastBackslashes(std::string_view text)
+{
+  while (!text.empty() && text.back() == '\\')
+  {
+    text.remove_suffix(1);
+    text = Trimmed(text);
+  }
+  return text;
+}
+
+/// Printable, and short.
+std::string Shown(std::string_view text)
+{
+  constexpr std::size_t longest = 24;
+  std::string shown(text.substr(0, longest));
+  for (char& c : shown)
+  {
+    c = c >= ' ' && c < '\x7f' ? c : '?';
+  }
+  return shown;
 }
 }
 
@@ -116,6 +143,20 @@ std::vector<DcmItem*> ItemsOf(DcmItem& item, const DcmTagKey& key)
   return sequence ? ItemsOf(*sequence) : std::vector<DcmItem*>();
 }
 
+bool BeginsAsDICOM(const std::string& fileName)
+{
+  constexpr std::size_t preamble = 128;
+  const std::string start = ReadStart(fileName, preamble + 4);
+  if (start.compare(std::min(preamble, start.size()), 4, "DICM") == 0)
+  {
+    return true;
+  }
+  // Without preamble: the first element is one of the group 2 or 8, of either byte order.
+  const auto isGroup = [&start](std::size_t low, std::size_t high)
+  { return (start[low] == 2 || start[low] == 8) && start[high] == 0; };
+  return start.size() >= 8 && (isGroup(0, 1) || isGroup(1, 0));
+}
+
 void LoadDICOM(const std::string& fileName, DcmFileFormat& file)
 {
   const auto fail = [&fileName](const std::string& sentence)
@@ -147,40 +188,47 @@ std::string ClassName(const std::string& uid)
   return name ? name : uid;
 }
 
-std::vector<Point3> GetContourPoints(DcmItem& contour, const std::string& where)
+ContourPoints GetContourPoints(DcmItem& contour)
 {
-  const std::string_view data = ContourText(contour, where);
+  ContourPoints result;
+  std::string_view data;
+  if (!GetContourText(contour, data))
+  {
+    result.Fault = TagName(DCM_ContourData) + " cannot be read to its end";
+    return result;
+  }
+  data = WithoutLastBackslashes(data);
   if (data.empty())
   {
-    return {};
+    return result;
   }
-  std::vector<Point3> points;
   Point3 point{};
-  int values = 0;
+  std::size_t values = 0;
   ForEachValue(data,
     [&](std::string_view text)
     {
       double value = 0;
-      if (!ParseNumber(text, value))
+      if (!ParseNumber(text, value) && result.Fault.empty())
       {
-        throw Error(where + ": expected a number as value " +
-          std::to_string(3 * points.size() + static_cast<std::size_t>(values) + 1) + " of " +
-          TagName(DCM_ContourData) + ", found '" + std::string(text.substr(0, 24)) + "'.");
+        result.Fault = "expected a number as value " + std::to_string(values + 1) + " of " +
+          TagName(DCM_ContourData) + ", found '" + Shown(text) + "'";
       }
-      point[values++] = value;
-      if (values == 3)
+      point[values % 3] = value;
+      if (++values % 3 == 0)
       {
-        points.push_back(point);
-        values = 0;
+        result.Points.push_back(point);
       }
     });
-  if (values != 0)
+  if (values % 3 != 0 && result.Fault.empty())
   {
-    throw Error(where + ": expected three coordinates a point in " + TagName(DCM_ContourData) +
-      ", found " + std::to_string(3 * points.size() + static_cast<std::size_t>(values)) +
-      " numbers.");
+    result.Fault = "expected three coordinates a point in " + TagName(DCM_ContourData) +
+      ", found " + std::to_string(values) + " numbers";
   }
-  return points;
+  if (!result.Fault.empty())
+  {
+    result.Points.clear();
+  }
+  return result;
 }
 
 void Put(DcmItem& item, const DcmTagKey& key, const std::string& value)

@@ -71,19 +71,27 @@ void ForEachValue(std::string_view text, Visitor visit)
   }
 }
 
+/// Whether a file begins as DICOM files do, with preamble or without; nothing is said of the rest.
+bool BeginsAsDICOM(const std::string& fileName);
+
 /// A whole file. @throws Error where there is none, or where it is no DICOM file or damaged.
 void LoadDICOM(const std::string& fileName, DcmFileFormat& file);
 
 /// "RTStructureSetStorage", or the UID itself where DCMTK does not know it.
 std::string ClassName(const std::string& uid);
 
-/**
- * The points of an item of a contour sequence, millimetres; empty where it has no contour data.
- *
- * @param where begins the sentence of an error: "Cannot read a.dcm: ROI "Lung", contour 3"
- * @throws Error where it cannot be read to its end, or is not whole triples of numbers
- */
-std::vector<Point3> GetContourPoints(DcmItem& contour, const std::string& where);
+/// The points of a contour, or why there are none.
+struct ContourPoints
+{
+  std::vector<Point3> Points; ///< millimetres; none where the item has no contour data
+  /// Of data that are not whole triples of numbers: what was expected. Completes "it cannot be
+  /// used: ".
+  std::string Fault;
+};
+
+/// The points of an item of a contour sequence. A backslash behind the last number is passed over,
+/// as some writers leave it there.
+ContourPoints GetContourPoints(DcmItem& contour);
 
 /// Sets an element, in place of one that is there. @throws Error where DCMTK refuses.
 void Put(DcmItem& item, const DcmTagKey& key, const std::string& value);

@@ -7,13 +7,13 @@ namespace recon
 {
 namespace
 {
-unsigned char ByteAt(const std::string& text, std::size_t i)
+unsigned char ByteAt(std::string_view text, std::size_t i)
 {
   return static_cast<unsigned char>(text[i]);
 }
 
 /// Bytes of the character that begins at i; 0 where none does (RFC 3629).
-std::size_t CharacterLength(const std::string& text, std::size_t i)
+std::size_t CharacterLength(std::string_view text, std::size_t i)
 {
   const unsigned char first = ByteAt(text, i);
   if (first < 0x80)
@@ -53,10 +53,25 @@ std::string WithoutOuterSpaces(const std::string& text)
 }
 }
 
-bool IsASCII(const std::string& text)
+bool IsASCII(std::string_view text)
 {
   return std::all_of(
     text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x80; });
+}
+
+bool IsUTF8(std::string_view text)
+{
+  std::size_t i = 0;
+  while (i < text.size())
+  {
+    const std::size_t length = CharacterLength(text, i);
+    if (length == 0)
+    {
+      return false;
+    }
+    i += length;
+  }
+  return true;
 }
 
 std::string DICOMText(const std::string& text, std::size_t longest)

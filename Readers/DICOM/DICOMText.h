@@ -8,10 +8,13 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 
 namespace recon
 {
-bool IsASCII(const std::string& text);
+bool IsASCII(std::string_view text);
+/// Whether all bytes are UTF-8 (RFC 3629).
+bool IsUTF8(std::string_view text);
 
 /// Of at most so many characters, with '_' for backslashes, control characters and bytes that are
 /// no UTF-8; without spaces at the ends.

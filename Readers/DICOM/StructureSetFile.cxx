@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "DICOM/StructureSetFile.h"
 
+#include "DICOM/DICOMCharacterSet.h"
 #include "DICOM/DICOMItem.h"
 
-#include <dcmtk/dcmdata/dcspchrs.h>
 #include <dcmtk/dcmdata/dcuid.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <map>
 #include <set>
 #include <string_view>
@@ -50,8 +49,9 @@ public:
     const QuietDCMTK quiet;
     LoadDICOM(this->FileName, this->File);
     this->CheckClass();
-    this->SelectCharacterSet();
+    this->CharacterSet = DICOMCharacterSet(GetText(this->Data(), DCM_SpecificCharacterSet));
     this->ReadROIs();
+    this->LeaveOutNumbersUsedTwice();
     this->ReadContourItems();
     this->ReadTypes();
     this->MakeNamesUnique();
@@ -67,31 +67,37 @@ private:
   {
     throw Error("Cannot read " + this->FileName + ": " + sentence);
   }
+  DcmItem& Data() { return *this->File.getDataset(); }
 
   void CheckClass();
-  void SelectCharacterSet();
   void ReadROIs();
+  void LeaveOutNumbersUsedTwice();
   void ReadContourItems();
+  void ReadContourItem(DcmItem& item, bool isLast);
   void ReadTypes();
   void MakeNamesUnique();
 
-  std::string ToUTF8(const std::string& text, int number);
+  std::string NameFrom(DcmItem& item, int number);
+  std::string FrameFrom(DcmItem& item);
   int IndexOf(int number, const char* sequence);
   std::string NameOf(int index) const { return "ROI \"" + this->ROIs[index].Name + "\""; }
-  /// The sequence, or nullptr where the item has none; other things under its tag are an error.
-  DcmSequenceOfItems* FindSequence(DcmItem& item, const DcmTagKey& key) const;
+  /// The sequence, or nullptr where there is none; other things under its tag are an error.
+  DcmSequenceOfItems* FindSequence(const DcmTagKey& key);
+  /// Adds an item of a contour sequence to the soup; where names it in sentences.
+  void AddContour(
+    DcmItem& item, int source, const std::string& where, StructureSetContours& contours) const;
 
   std::string FileName;
   DcmFileFormat File;
-  DcmSpecificCharacterSet CharacterSet;
-  bool CanConvert = false;
-  std::map<int, int> IndexOfNumber;
+  DICOMCharacterSet CharacterSet{ "" };
+  std::map<int, int> IndexOfNumber;                ///< -1 for numbers that several ROIs have
   std::vector<std::vector<DcmItem*>> ContourItems; ///< for each of ROIs
+  std::map<int, std::string> WhyEmpty;             ///< by index, of ROIs that are left out
 };
 
 void StructureSetFile::Internals::CheckClass()
 {
-  const std::string uid = GetText(*this->File.getDataset(), DCM_SOPClassUID);
+  const std::string uid = GetText(this->Data(), DCM_SOPClassUID);
   if (uid == UID_RTStructureSetStorage)
   {
     return;
@@ -104,38 +110,37 @@ void StructureSetFile::Internals::CheckClass()
     ", expected an RT structure set (RTStructureSetStorage).");
 }
 
-void StructureSetFile::Internals::SelectCharacterSet()
+std::string StructureSetFile::Internals::NameFrom(DcmItem& item, int number)
 {
-  this->CanConvert = DcmSpecificCharacterSet::isConversionAvailable() &&
-    this->CharacterSet.selectCharacterSet(*this->File.getDataset()).good();
+  const DecodedText name = this->CharacterSet.Decode(GetText(item, DCM_ROIName));
+  if (name.Outcome != DecodedText::How::Explained)
+  {
+    this->Report.push_back("ROI number " + std::to_string(number) +
+      ": its name has letters that the file's character set does not explain; they " +
+      (name.Outcome == DecodedText::How::Guessed ? "were read as UTF-8." : "show as '?'."));
+  }
+  return name.Text.empty() ? "ROI " + std::to_string(number) : name.Text;
 }
 
-std::string StructureSetFile::Internals::ToUTF8(const std::string& text, int number)
+/// That of the ROI, or the only one of the file.
+std::string StructureSetFile::Internals::FrameFrom(DcmItem& item)
 {
-  const auto isPlain = [](char c) { return static_cast<unsigned char>(c) < 0x80; };
-  if (std::all_of(text.begin(), text.end(), isPlain))
+  const std::string frame = GetText(item, DCM_ReferencedFrameOfReferenceUID);
+  if (!frame.empty())
   {
-    return text;
+    return frame;
   }
-  OFString converted;
-  if (this->CanConvert &&
-    this->CharacterSet.convertString(OFString(text.c_str(), text.size()), converted).good())
-  {
-    return std::string(converted.c_str(), converted.size());
-  }
-  std::string plain = text;
-  std::replace_if(
-    plain.begin(), plain.end(), [&](char c) { return !isPlain(c); }, '?');
-  this->Report.push_back("ROI number " + std::to_string(number) +
-    ": its name has letters that the file's character set does not explain; they show as '?'.");
-  return plain;
+  const std::vector<DcmItem*> frames =
+    ItemsOf(this->Data(), DCM_ReferencedFrameOfReferenceSequence);
+  return frames.size() == 1 ? GetText(*frames[0], DCM_FrameOfReferenceUID)
+    : frames.empty()        ? GetText(this->Data(), DCM_FrameOfReferenceUID)
+                            : std::string();
 }
 
-DcmSequenceOfItems* StructureSetFile::Internals::FindSequence(
-  DcmItem& item, const DcmTagKey& key) const
+DcmSequenceOfItems* StructureSetFile::Internals::FindSequence(const DcmTagKey& key)
 {
   DcmElement* element = nullptr;
-  if (item.findAndGetElement(key, element).bad() || !element)
+  if (this->Data().findAndGetElement(key, element).bad() || !element)
   {
     return nullptr;
   }
@@ -150,34 +155,63 @@ DcmSequenceOfItems* StructureSetFile::Internals::FindSequence(
 
 void StructureSetFile::Internals::ReadROIs()
 {
-  DcmSequenceOfItems* sequence =
-    this->FindSequence(*this->File.getDataset(), DCM_StructureSetROISequence);
+  DcmSequenceOfItems* sequence = this->FindSequence(DCM_StructureSetROISequence);
   if (!sequence || sequence->card() == 0)
   {
     this->Fail("it has no ROIs: " + TagName(DCM_StructureSetROISequence) +
       " is missing or empty (is the file truncated?).");
   }
+  int position = 0;
   for (DcmItem* item : ItemsOf(*sequence))
   {
+    ++position;
     StructureSetROI roi;
     if (!GetNumber(*item, DCM_ROINumber, roi.Number))
     {
-      this->Fail("item " + std::to_string(this->ROIs.size() + 1) + " of " +
-        TagName(DCM_StructureSetROISequence) + " has no " + TagName(DCM_ROINumber) + ".");
+      this->Report.push_back("Item " + std::to_string(position) + " of " +
+        TagName(DCM_StructureSetROISequence) + " (\"" +
+        this->CharacterSet.Decode(GetText(*item, DCM_ROIName)).Text + "\") has no " +
+        TagName(DCM_ROINumber) + ", so that it is open which contours are its; left out.");
+      continue;
     }
-    roi.Name = this->ToUTF8(GetText(*item, DCM_ROIName), roi.Number);
-    if (roi.Name.empty())
-    {
-      roi.Name = "ROI " + std::to_string(roi.Number);
-    }
-    if (!this->IndexOfNumber.emplace(roi.Number, static_cast<int>(this->ROIs.size())).second)
-    {
-      this->Fail("two ROIs have the number " + std::to_string(roi.Number) +
-        ", so that it is open which contours are whose.");
-    }
+    roi.Name = this->NameFrom(*item, roi.Number);
+    roi.FrameOfReferenceUID = this->FrameFrom(*item);
     this->ROIs.push_back(std::move(roi));
   }
+  if (this->ROIs.empty())
+  {
+    this->Fail("none of its ROIs has a " + TagName(DCM_ROINumber) + ".");
+  }
   this->ContourItems.resize(this->ROIs.size());
+}
+
+void StructureSetFile::Internals::LeaveOutNumbersUsedTwice()
+{
+  std::map<int, std::vector<int>> users;
+  for (std::size_t i = 0; i < this->ROIs.size(); ++i)
+  {
+    users[this->ROIs[i].Number].push_back(static_cast<int>(i));
+  }
+  for (const auto& [number, indices] : users)
+  {
+    this->IndexOfNumber[number] = indices.size() == 1 ? indices[0] : -1;
+    if (indices.size() == 1)
+    {
+      continue;
+    }
+    std::string names;
+    for (const int i : indices)
+    {
+      names += (names.empty() ? "\"" : ", \"") + this->ROIs[i].Name + "\"";
+    }
+    this->Report.push_back("The ROIs " + names + " have one number, " + std::to_string(number) +
+      ", so that it is open which contours are whose; their contours are left out.");
+    for (const int i : indices)
+    {
+      this->WhyEmpty[i] = "its contours are left out, as its number " + std::to_string(number) +
+        " is another ROI's as well.";
+    }
+  }
 }
 
 int StructureSetFile::Internals::IndexOf(int number, const char* sequence)
@@ -194,56 +228,64 @@ int StructureSetFile::Internals::IndexOf(int number, const char* sequence)
 
 void StructureSetFile::Internals::ReadContourItems()
 {
-  DcmSequenceOfItems* sequence =
-    this->FindSequence(*this->File.getDataset(), DCM_ROIContourSequence);
+  DcmSequenceOfItems* sequence = this->FindSequence(DCM_ROIContourSequence);
   if (!sequence || sequence->card() == 0)
   {
     this->Fail("it has no contours: " + TagName(DCM_ROIContourSequence) +
       " is missing or empty (is the file truncated?).");
   }
-  for (DcmItem* item : ItemsOf(*sequence))
+  const std::vector<DcmItem*> items = ItemsOf(*sequence);
+  for (DcmItem* item : items)
   {
-    int number = 0;
-    if (!GetNumber(*item, DCM_ReferencedROINumber, number))
-    {
-      this->Fail("an item of " + TagName(DCM_ROIContourSequence) + " has no " +
-        TagName(DCM_ReferencedROINumber) + ", so that it is open whose contours these are.");
-    }
-    const int index = this->IndexOf(number, "The contour sequence");
-    if (index < 0)
-    {
-      continue;
-    }
-    StructureSetROI& roi = this->ROIs[index];
-    std::vector<int> color;
-    ForEachValue(GetText(*item, DCM_ROIDisplayColor),
-      [&color](std::string_view value)
-      {
-        int component = 0;
-        if (ParseInteger(value, component) && component >= 0 && component <= 255)
-        {
-          color.push_back(component);
-        }
-      });
-    if (color.size() == 3)
-    {
-      roi.HasColor = true;
-      roi.Color = { color[0], color[1], color[2] };
-    }
-    if (DcmSequenceOfItems* contours = this->FindSequence(*item, DCM_ContourSequence))
-    {
-      const std::vector<DcmItem*> items = ItemsOf(*contours);
-      std::vector<DcmItem*>& all = this->ContourItems[index];
-      all.insert(all.end(), items.begin(), items.end());
-      roi.NumberOfContours = static_cast<int>(all.size());
-    }
+    this->ReadContourItem(*item, item == items.back());
   }
+}
+
+void StructureSetFile::Internals::ReadContourItem(DcmItem& item, bool isLast)
+{
+  int number = 0;
+  if (!GetNumber(item, DCM_ReferencedROINumber, number))
+  {
+    const std::string what = TagName(DCM_ROIContourSequence) + " has no " +
+      TagName(DCM_ReferencedROINumber) + ", so that it is open whose contours these are";
+    if (isLast && !this->Data().tagExists(DCM_RTROIObservationsSequence))
+    {
+      // The number follows the contours: a file that ends in them is cut off there.
+      this->Fail("the last item of " + what + " (is the file truncated?).");
+    }
+    this->Report.push_back("An item of " + what + "; left out.");
+    return;
+  }
+  const int index = this->IndexOf(number, "The contour sequence");
+  if (index < 0)
+  {
+    return;
+  }
+  StructureSetROI& roi = this->ROIs[index];
+  std::vector<int> color;
+  ForEachValue(GetText(item, DCM_ROIDisplayColor),
+    [&color](std::string_view value)
+    {
+      int component = 0;
+      if (ParseInteger(value, component) && component >= 0 && component <= 255)
+      {
+        color.push_back(component);
+      }
+    });
+  if (color.size() == 3)
+  {
+    roi.HasColor = true;
+    roi.Color = { color[0], color[1], color[2] };
+  }
+  const std::vector<DcmItem*> items = ItemsOf(item, DCM_ContourSequence);
+  std::vector<DcmItem*>& all = this->ContourItems[index];
+  all.insert(all.end(), items.begin(), items.end());
+  roi.NumberOfContours = static_cast<int>(all.size());
 }
 
 void StructureSetFile::Internals::ReadTypes()
 {
-  DcmSequenceOfItems* sequence =
-    this->FindSequence(*this->File.getDataset(), DCM_RTROIObservationsSequence);
+  DcmSequenceOfItems* sequence = this->FindSequence(DCM_RTROIObservationsSequence);
   if (!sequence)
   {
     this->Report.push_back(
@@ -288,57 +330,73 @@ void StructureSetFile::Internals::MakeNamesUnique()
   }
 }
 
+void StructureSetFile::Internals::AddContour(
+  DcmItem& item, int source, const std::string& where, StructureSetContours& contours) const
+{
+  std::vector<std::string>& report = contours.File.Report;
+  const ContourPoints points = GetContourPoints(item);
+  if (!points.Fault.empty())
+  {
+    report.push_back(where + ": left out, " + points.Fault + ".");
+    return;
+  }
+  if (points.Points.empty())
+  {
+    report.push_back(where + ": left out, it has no contour data.");
+    return;
+  }
+  int announced = 0;
+  if (GetNumber(item, DCM_NumberOfContourPoints, announced) &&
+    announced != static_cast<int>(points.Points.size()))
+  {
+    report.push_back(where + ": announces " + std::to_string(announced) + " points and has " +
+      std::to_string(points.Points.size()) + "; all of these were read.");
+  }
+  const std::string type = GetText(item, DCM_ContourGeometricType);
+  if (!IsKnown(type))
+  {
+    report.push_back(where + ": its geometric type '" + type +
+      "' is none that DICOM knows; it was taken for a closed contour.");
+  }
+  LoopSoup& soup = contours.File.Soup;
+  const Shape shape = ShapeOf(type);
+  LoopSoup::Chain chain;
+  chain.Closed = shape == Shape::Closed;
+  chain.Source = source;
+  for (const Point3& point : points.Points)
+  {
+    chain.Points.push_back(static_cast<int>(soup.Points.size()));
+    soup.Points.push_back(point);
+    if (shape == Shape::Points)
+    {
+      soup.Chains.push_back(chain);
+      contours.GeometricTypes.push_back(type);
+      chain.Points.clear();
+    }
+  }
+  if (!chain.Points.empty())
+  {
+    soup.Chains.push_back(std::move(chain));
+    contours.GeometricTypes.push_back(type);
+  }
+}
+
 StructureSetContours StructureSetFile::Internals::ReadContours(int index, Monitor& monitor)
 {
   const QuietDCMTK quiet;
   StructureSetContours result;
-  LoopSoup& soup = result.File.Soup;
+  const auto left = this->WhyEmpty.find(index);
+  if (left != this->WhyEmpty.end())
+  {
+    result.File.Report.push_back(this->NameOf(index) + ": " + left->second);
+    return result;
+  }
   const std::vector<DcmItem*>& items = this->ContourItems[index];
   for (std::size_t i = 0; i < items.size(); ++i)
   {
     monitor.Update(static_cast<double>(i) / static_cast<double>(items.size()), "reading contours");
-    const std::string where = this->NameOf(index) + ", contour " + std::to_string(i + 1);
-    const std::vector<Point3> points =
-      GetContourPoints(*items[i], "Cannot read " + this->FileName + ": " + where);
-    if (points.empty())
-    {
-      result.File.Report.push_back(where + ": left out, it has no contour data.");
-      continue;
-    }
-    int announced = 0;
-    if (GetNumber(*items[i], DCM_NumberOfContourPoints, announced) &&
-      announced != static_cast<int>(points.size()))
-    {
-      result.File.Report.push_back(where + ": announces " + std::to_string(announced) +
-        " points and has " + std::to_string(points.size()) + "; all of these were read.");
-    }
-    const std::string type = GetText(*items[i], DCM_ContourGeometricType);
-    if (!IsKnown(type))
-    {
-      result.File.Report.push_back(where + ": its geometric type '" + type +
-        "' is none that DICOM knows; it was taken for a closed contour.");
-    }
-    const int first = static_cast<int>(soup.Points.size());
-    soup.Points.insert(soup.Points.end(), points.begin(), points.end());
-    const Shape shape = ShapeOf(type);
-    LoopSoup::Chain chain;
-    chain.Closed = shape == Shape::Closed;
-    chain.Source = static_cast<int>(i);
-    for (int p = first; p < static_cast<int>(soup.Points.size()); ++p)
-    {
-      chain.Points.push_back(p);
-      if (shape == Shape::Points)
-      {
-        soup.Chains.push_back(chain);
-        result.GeometricTypes.push_back(type);
-        chain.Points.clear();
-      }
-    }
-    if (!chain.Points.empty())
-    {
-      soup.Chains.push_back(std::move(chain));
-      result.GeometricTypes.push_back(type);
-    }
+    this->AddContour(*items[i], static_cast<int>(i),
+      this->NameOf(index) + ", contour " + std::to_string(i + 1), result);
   }
   if (items.empty())
   {
@@ -349,8 +407,7 @@ StructureSetContours StructureSetFile::Internals::ReadContours(int index, Monito
 
 bool StructureSetFile::IsStructureSet(const std::string& fileName)
 {
-  std::error_code status;
-  if (!std::filesystem::is_regular_file(fileName, status))
+  if (!BeginsAsDICOM(fileName))
   {
     return false;
   }

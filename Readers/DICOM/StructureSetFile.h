@@ -28,6 +28,9 @@ struct StructureSetROI
   bool HasColor = false; ///< ROI Display Color (3006,002a) is optional
   std::array<int, 3> Color{ 0, 0, 0 }; ///< red, green, blue of 0 to 255
   int NumberOfContours = 0;            ///< items of its contour sequence, usable or not
+  /// The frame of reference (3006,0024) that its coordinates are in; empty where the file names
+  /// none. Coordinates of two frames have nothing to do with each other.
+  std::string FrameOfReferenceUID;
 };
 
 /// The contours of one ROI. Closed and open ones and points are chains; what was odd is in Report.
@@ -45,19 +48,24 @@ public:
   /// Whether this is a DICOM file, with preamble or without, of SOP class RT Structure Set Storage.
   static bool IsStructureSet(const std::string& fileName);
 
-  /// @throws Error with file and tag, where it is not a whole RT structure set.
+  /**
+   * What is wrong with one ROI costs that ROI, or only its contour, and has a line in the report.
+   *
+   * @throws Error with file and tag, where it is not a whole RT structure set.
+   */
   explicit StructureSetFile(const std::string& fileName);
   ~StructureSetFile();
   StructureSetFile(const StructureSetFile&) = delete;
   StructureSetFile& operator=(const StructureSetFile&) = delete;
 
-  /// In the order of the file, those without contours included.
+  /// In the order of the file. Those without contours are among them, and those whose number is
+  /// used twice, which have none, as it is open which contours are whose.
   const std::vector<StructureSetROI>& GetROIs() const;
   /// What was odd about the file as a whole.
   const std::vector<std::string>& GetReport() const;
 
-  /// The contours of GetROIs()[index]; progress runs from 0 to 1 within this ROI.
-  /// @throws Error naming ROI, contour and tag where coordinates are malformed.
+  /// The contours of GetROIs()[index]; progress runs from 0 to 1 within this ROI. A malformed one
+  /// is left out, with a line that names ROI, contour and tag.
   StructureSetContours ReadContours(int index, Monitor& monitor);
 
 private:

@@ -6,6 +6,7 @@
 #include "DICOM/DecimalString.h"
 #include "DICOM/DICOMItem.h"
 #include "DICOM/DICOMText.h"
+#include "DICOM/DICOMTextConversion.h"
 #include "DICOM/StructureSetReference.h"
 
 #include <dcmtk/dcmdata/dcmetinf.h>
@@ -258,12 +259,15 @@ void Formatter::SelectCharacterSet(const std::vector<WrittenROI>& rois)
     CopyElement(reference, DCM_SpecificCharacterSet, this->Data());
     return;
   }
-  const OFCondition condition = reference.convertToUTF8();
-  if (condition.bad())
+  const std::vector<std::string> unexplained = ConvertToUTF8(reference);
+  if (!unexplained.empty())
   {
-    throw Error("Cannot write the names of the ROIs in UTF-8, because the texts of the reference "
-                "cannot be converted to it (DCMTK says: " +
-      std::string(condition.text()) + "); use plain letters.");
+    this->Report.push_back("The reference has letters that its character set does not explain; "
+                           "they are written as '?': " +
+      unexplained.front() +
+      (unexplained.size() > 1 ? " and " + std::to_string(unexplained.size() - 1) + " other elements"
+                              : std::string()) +
+      ".");
   }
   Put(this->Data(), DCM_SpecificCharacterSet, "ISO_IR 192");
 }

@@ -221,7 +221,7 @@ void StructureSetReference::TakeStructureSet(const std::string& path, Monitor& m
   this->FileNames = { path };
   this->TakeFrameOfReference();
   const std::set<std::string> listed = ListedImages(this->Data(), this->FrameOfReferenceUID);
-  std::vector<ReferenceSlice> slices = this->SlicesDrawnOn(path, monitor);
+  std::vector<ReferenceSlice> slices = this->SlicesDrawnOn(monitor);
   if (ItemsOf(this->Data(), DCM_ReferencedFrameOfReferenceSequence).size() > 1)
   {
     // Coordinates of two frames of reference have nothing to do with each other.
@@ -266,11 +266,11 @@ void StructureSetReference::TakeFrameOfReference()
   }
 }
 
-std::vector<ReferenceSlice> StructureSetReference::SlicesDrawnOn(
-  const std::string& path, Monitor& monitor)
+std::vector<ReferenceSlice> StructureSetReference::SlicesDrawnOn(Monitor& monitor)
 {
   std::map<std::string, DrawnImage> drawn;
   Vector3 largest{ 0, 0, 0 };
+  int malformed = 0;
   const std::vector<DcmItem*> rois = ItemsOf(this->Data(), DCM_ROIContourSequence);
   for (std::size_t r = 0; r < rois.size(); ++r)
   {
@@ -284,7 +284,9 @@ std::vector<ReferenceSlice> StructureSetReference::SlicesDrawnOn(
       {
         continue;
       }
-      std::vector<Point3> points = GetContourPoints(*contour, "Cannot read " + path);
+      ContourPoints read = GetContourPoints(*contour);
+      malformed += read.Fault.empty() ? 0 : 1;
+      std::vector<Point3>& points = read.Points;
       if (points.empty())
       {
         continue;
@@ -304,6 +306,11 @@ std::vector<ReferenceSlice> StructureSetReference::SlicesDrawnOn(
         largest = area;
       }
     }
+  }
+  if (malformed > 0)
+  {
+    this->Report.push_back("The reference has " + std::to_string(malformed) +
+      " malformed contours; they tell no plane, and are copied as they are.");
   }
   std::vector<ReferenceSlice> slices;
   std::vector<DrawnImage> kept;

@@ -59,7 +59,7 @@ private:
   void TakeStructureSet(const std::string& path, Monitor& monitor);
   void TakeImages(const std::string& folder, const std::string& seriesUID, Monitor& monitor);
   void TakeFrameOfReference();
-  std::vector<ReferenceSlice> SlicesDrawnOn(const std::string& path, Monitor& monitor);
+  std::vector<ReferenceSlice> SlicesDrawnOn(Monitor& monitor);
   void CopyFrames(DcmItem& data);
   void MakeFrame(DcmItem& data);
 

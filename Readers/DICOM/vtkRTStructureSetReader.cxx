@@ -39,6 +39,10 @@ void AddROIFieldData(const recon::StructureSetROI& roi, vtkFieldData* fieldData)
 {
   AddString("ROIName", roi.Name, fieldData);
   AddString("ROIType", roi.Type, fieldData);
+  if (!roi.FrameOfReferenceUID.empty())
+  {
+    AddString("FrameOfReferenceUID", roi.FrameOfReferenceUID, fieldData);
+  }
   vtkNew<vtkIntArray> number;
   number->SetName("ROINumber");
   number->InsertNextValue(roi.Number);

@@ -14,13 +14,16 @@
  * - cell array `GeometricType` (strings: POINT, OPEN_PLANAR, OPEN_NONPLANAR, CLOSED_PLANAR,
  *   CLOSEDPLANAR_XOR) and `ContourNumber` (int, the item of the ROI's contour sequence, from 1);
  * - field data `ROIName`, `ROINumber`, `ROIType` (RT ROI Interpreted Type, empty where not given),
- *   `ROIColor` (0 to 255, three components; absent where the file gives none) and `Report`
- * (strings, present where something was odd).
+ *   `ROIColor` (0 to 255, three components; absent where the file gives none),
+ *   `FrameOfReferenceUID` (the frame that the coordinates are in; absent where the file names none)
+ *   and `Report` (strings that name the ROI, present where something was odd).
  *
- * An ROI without contours gives an empty block and a line in `Report`. The field data of the
- * collection has a `Report` with the lines of all blocks and of the file as a whole. Files without
- * preamble and of implicit or explicit VR are read. A file that is damaged, truncated or of another
- * DICOM class gives one error that names the tag, and an empty output.
+ * The field data of the collection has a `Report` with the lines of all blocks and of the file as a
+ * whole. What is wrong with a part costs that part only: an ROI without contours, or one whose
+ * number another one has, is an empty block, and a malformed contour is left out; each has a line
+ * in `Report`. Names are UTF-8, whatever the character sets of the file. Files without preamble and
+ * of implicit or explicit VR are read, whatever their name. A file that is damaged, truncated or of
+ * another DICOM class gives one error that names the tag, and an empty output.
  */
 #ifndef vtkRTStructureSetReader_h
 #define vtkRTStructureSetReader_h

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """ParaView picks the right reader by extension and content, and each reader knows its own files only."""
+import os
+
 import contourtesting as ct
 import readertesting as rt
 from contourreconstruction.CurveNetworkReaders import vtkCurveNetworkReader
@@ -20,6 +22,14 @@ for name, (content, expected) in FILES.items():
     other = rt.write(name + ".txt", content)
     for label, reader in READERS.items():
         ct.check(bool(reader.CanReadFile(other)) == (label == expected), f"{label} about {name}")
+# Structure sets by any name, in a folder of any name.
+for name in ["RS.1.2.3", "RTSTRUCT", "1.2.840.11.5", "IM000001", "set", "a set.ima", "RS.1.2.x"]:
+    for folder in ["folder.vtk", "no digits"]:
+        os.makedirs(ct.output(folder), exist_ok=True)
+        opened = simple.OpenDataFile(rt.write(os.path.join(folder, name), SET))
+        ct.check(opened.GetXMLName() == "DICOMRTStructureSetReader", f"{name}: opened by {opened.GetXMLName()}")
+        opened.UpdatePipeline()
+        ct.check(opened.GetDataInformation().GetNumberOfCells() == 1, f"{name} has no contour")
 for name, content in [("text", "Some text\n"), ("none", ""), ("bytes", bytes(range(256)) * 8),
                       ("ct", rt.structure_set([(1, "A", "", None, [])], rt.CT_IMAGE))]:
     path = rt.write("not ours " + name, content)

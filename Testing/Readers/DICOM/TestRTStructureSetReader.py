@@ -88,14 +88,26 @@ for name in ("ContourHierarchy", "ContourMapping", "ContourTriangulation", "Join
     ct.check("points only" in rt.strings(blocks["Isocentre"], "Report")[-1], f"{name} does not report it")
     ct.check(blocks["Organ"].GetNumberOfPoints() > 0, f"{name} makes nothing of the organ")
 
-# What is wrong gives one sentence and nothing else.
+# A malformed contour costs that contour: a line in the report of its block, and of all.
+for name, content, part in [
+        ("nan.dcm", SET.replace(b"3.5", b"nan"), "expected a number"),
+        ("two.dcm", SET.replace(b"\\3.5\\1.0", b"\\3.5    "), "three coordinates a point")]:
+    kept = simple.DICOMRTStructureSetReader(FileName=rt.write(name, content))
+    errors = rt.Errors(kept)
+    lines = rt.strings(ct.data(kept), "Report")
+    ct.check(not errors.own, f"{name}: {errors.own}")
+    ct.check(any(part in line and "left out" in line for line in lines), f"{name}: {lines}")
+    ct.check(any(part in line for _, block in rt.blocks(ct.data(kept)) for line in rt.strings(block, "Report")),
+             f"{name}: no block reports it")
+    ct.check(len(rt.blocks(ct.data(kept))) == len(rt.blocks(ct.data(simple.DICOMRTStructureSetReader(
+        FileName=rt.write("whole.dcm", SET))))), f"{name} lost blocks")
+
+# What is wrong with the file gives one sentence and nothing else.
 for name, content, part in [
         ("truncated.dcm", SET[:len(SET) * 2 // 3], "truncated"),
         ("empty.dcm", b"", "the file is empty"),
         ("text.dcm", rt.NUAGES, "no DICOM file"),
-        ("ct.dcm", rt.structure_set([(1, "A", "", None, [])], rt.CT_IMAGE), "CTImageStorage"),
-        ("nan.dcm", SET.replace(b"3.5", b"nan"), "expected a number"),
-        ("two.dcm", SET.replace(b"\\3.5\\1.0", b"\\3.5    "), "three coordinates a point")]:
+        ("ct.dcm", rt.structure_set([(1, "A", "", None, [])], rt.CT_IMAGE), "CTImageStorage")]:
     rt.expect_error(simple.DICOMRTStructureSetReader(FileName=rt.write(name, content)), part, name)
 rt.expect_error(simple.DICOMRTStructureSetReader(FileName=ct.output("absent.dcm")), "no such file", "absent")
 rt.expect_error(simple.DICOMRTStructureSetReader(), "set FileName", "no name")

@@ -173,6 +173,156 @@ TEST_F(StructureSet, NamesAreUTF8AndUnique)
   EXPECT_EQ(file.GetReport().size(), 2u);
 }
 
+TEST_F(StructureSet, NamesOfEveryAlphabet)
+{
+  StructureSetBuilder builder;
+  StructureSetBuilder::Put(builder.Data(), DCM_SpecificCharacterSet, "\\ISO 2022 IR 87");
+  builder.AddROI(1, "\x1b$B:8GY\x1b(B 1");
+  builder.AddROI(2, "\xff");
+  builder.AddContour("POINT", "1\\2\\3", 1);
+  builder.Save(this->Name("a.dcm"));
+  recon::StructureSetFile file(this->Name("a.dcm"));
+  EXPECT_EQ(file.GetROIs()[0].Name, "左肺 1");
+  EXPECT_EQ(file.GetROIs()[1].Name, "?");
+  ASSERT_EQ(file.GetReport().size(), 1u);
+  EXPECT_EQ(file.GetReport()[0].rfind("ROI number 2: its name has letters", 0), 0u);
+}
+
+TEST_F(StructureSet, FrameOfReferenceIsThatOfTheROI)
+{
+  const auto append = [](DcmItem& parent, const DcmTagKey& tag) -> DcmItem&
+  {
+    DcmItem* item = nullptr;
+    EXPECT_TRUE(parent.findOrCreateSequenceItem(tag, item, -2).good());
+    return *item;
+  };
+  StructureSetBuilder builder;
+  builder.AddROI(1, "Named");
+  builder.AddROI(2, "Not named");
+  DcmItem* named = nullptr;
+  ASSERT_TRUE(builder.Data().findAndGetSequenceItem(DCM_StructureSetROISequence, named, 0).good());
+  StructureSetBuilder::Put(*named, DCM_ReferencedFrameOfReferenceUID, "1.2.77");
+  const auto frames = [&]
+  {
+    builder.Save(this->Name("a.dcm"));
+    const recon::StructureSetFile file(this->Name("a.dcm"));
+    return file.GetROIs()[0].FrameOfReferenceUID + " " + file.GetROIs()[1].FrameOfReferenceUID;
+  };
+  EXPECT_EQ(frames(), "1.2.77 ");
+  StructureSetBuilder::Put(builder.Data(), DCM_FrameOfReferenceUID, "1.2.1");
+  EXPECT_EQ(frames(), "1.2.77 1.2.1");
+  StructureSetBuilder::Put(append(builder.Data(), DCM_ReferencedFrameOfReferenceSequence),
+    DCM_FrameOfReferenceUID, "1.2.2");
+  EXPECT_EQ(frames(), "1.2.77 1.2.2");
+  // Of two frames it is open which is meant.
+  StructureSetBuilder::Put(append(builder.Data(), DCM_ReferencedFrameOfReferenceSequence),
+    DCM_FrameOfReferenceUID, "1.2.3");
+  EXPECT_EQ(frames(), "1.2.77 ");
+}
+
+TEST_F(StructureSet, MalformedContourCostsThatContour)
+{
+  for (const char* number : { "nan", "inf", "1e999", "1,5", "abc", "", "1\n2" })
+  {
+    StructureSetBuilder builder;
+    builder.AddROI(1, "A");
+    builder.AddContour("CLOSED_PLANAR", Triangle, 3);
+    builder.AddContour("CLOSED_PLANAR", std::string("0\\0\\1\\4\\") + number + "\\1\\4\\3\\1", 3);
+    builder.AddContour("CLOSED_PLANAR", "0\\0\\1\\4\\5", 2);
+    builder.AddContour("CLOSED_PLANAR", Triangle, 3);
+    builder.Save(this->Name("a.dcm"));
+    recon::StructureSetFile file(this->Name("a.dcm"));
+    EXPECT_TRUE(file.GetReport().empty());
+    const recon::StructureSetContours contours = this->Contours(file);
+    ASSERT_EQ(contours.File.Soup.Chains.size(), 2u);
+    EXPECT_EQ(contours.File.Soup.Chains[1].Source, 3);
+    ASSERT_EQ(contours.File.Report.size(), 2u);
+    EXPECT_EQ(contours.File.Report[0].rfind("ROI \"A\", contour 2: left out, expected a number as "
+                                            "value 5 of ContourData (3006,0050), found '",
+                0),
+      0u)
+      << contours.File.Report[0];
+    EXPECT_EQ(contours.File.Report[0].find('\n'), std::string::npos);
+    EXPECT_EQ(contours.File.Report[1],
+      "ROI \"A\", contour 3: left out, expected three coordinates a point in ContourData "
+      "(3006,0050), found 5 numbers.");
+  }
+}
+
+TEST_F(StructureSet, LastBackslashIsReadAsMeant)
+{
+  for (const char* end : { "\\", "\\ ", " \\\\" })
+  {
+    StructureSetBuilder builder;
+    builder.AddROI(1, "A");
+    builder.AddContour("CLOSED_PLANAR", std::string(Triangle) + end, 3);
+    builder.AddContour("CLOSED_PLANAR", std::string("1\\2") + end, 1);
+    builder.Save(this->Name("a.dcm"));
+    recon::StructureSetFile file(this->Name("a.dcm"));
+    const recon::StructureSetContours contours = this->Contours(file);
+    ASSERT_EQ(contours.File.Soup.Chains.size(), 1u) << "'" << end << "'";
+    EXPECT_EQ(contours.File.Soup.Points.size(), 3u);
+    EXPECT_EQ(contours.File.Report.size(), 1u);
+  }
+}
+
+TEST_F(StructureSet, NumberUsedTwiceCostsThoseROIs)
+{
+  StructureSetBuilder builder;
+  builder.AddROI(19, "Lung");
+  builder.AddContour("CLOSED_PLANAR", Triangle, 3);
+  builder.AddROI(17, "Heart");
+  builder.AddContour("CLOSED_PLANAR", Triangle, 3);
+  builder.AddROI(19, "New");
+  builder.AddContour("CLOSED_PLANAR", Triangle, 3);
+  builder.Save(this->Name("a.dcm"));
+  recon::StructureSetFile file(this->Name("a.dcm"));
+  ASSERT_EQ(file.GetROIs().size(), 3u);
+  ASSERT_EQ(file.GetReport().size(), 1u);
+  EXPECT_EQ(file.GetReport()[0],
+    "The ROIs \"Lung\", \"New\" have one number, 19, so that it is open which contours are whose; "
+    "their contours are left out.");
+  EXPECT_EQ(this->Contours(file, 1).File.Soup.Chains.size(), 1u);
+  EXPECT_TRUE(this->Contours(file, 1).File.Report.empty());
+  for (const int i : { 0, 2 })
+  {
+    const recon::StructureSetContours none = this->Contours(file, i);
+    EXPECT_TRUE(none.File.Soup.Chains.empty());
+    ASSERT_EQ(none.File.Report.size(), 1u);
+    EXPECT_EQ(none.File.Report[0].rfind("ROI \"" + file.GetROIs()[i].Name + "\": ", 0), 0u);
+  }
+}
+
+TEST_F(StructureSet, MissingNumbersCostWhatLacksThem)
+{
+  StructureSetBuilder builder;
+  builder.AddROI(1, "A");
+  builder.AddContour("CLOSED_PLANAR", Triangle, 3);
+  builder.AddROI(2, "B");
+  builder.AddContour("CLOSED_PLANAR", Triangle, 3);
+  builder.AddROI(3, "C");
+  builder.AddContour("CLOSED_PLANAR", Triangle, 3);
+  const auto remove = [&builder](const DcmTagKey& sequence, int item, const DcmTagKey& number)
+  {
+    DcmItem* found = nullptr;
+    ASSERT_TRUE(builder.Data().findAndGetSequenceItem(sequence, found, item).good());
+    ASSERT_TRUE(found->findAndDeleteElement(number).good());
+  };
+  remove(DCM_StructureSetROISequence, 0, DCM_ROINumber);
+  remove(DCM_ROIContourSequence, 2, DCM_ReferencedROINumber);
+  builder.Save(this->Name("a.dcm"));
+  recon::StructureSetFile file(this->Name("a.dcm"));
+  ASSERT_EQ(file.GetROIs().size(), 2u);
+  EXPECT_EQ(file.GetROIs()[0].Name, "B");
+  EXPECT_EQ(file.GetROIs()[0].NumberOfContours, 1);
+  EXPECT_EQ(file.GetROIs()[1].NumberOfContours, 0);
+  const std::vector<std::string>& report = file.GetReport();
+  ASSERT_EQ(report.size(), 4u);
+  EXPECT_EQ(report[0].rfind("Item 1 of StructureSetROISequence (3006,0020) (\"A\") has no", 0), 0u);
+  EXPECT_NE(report[1].find("ROI number 1, which the file does not list"), std::string::npos);
+  EXPECT_EQ(report[2].rfind("An item of ROIContourSequence (3006,0039) has no", 0), 0u);
+}
+
 TEST_F(StructureSet, ReportsWhatItReadAround)
 {
   StructureSetBuilder builder;

@@ -314,6 +314,65 @@ TEST_F(StructureSetFormatter, OtherLettersAreWrittenInUTF8)
   EXPECT_EQ(recon::StructureSetFile(this->Name("new.dcm")).GetROIs()[1].Name, "L\xc3\xbcnge");
 }
 
+TEST_F(StructureSetFormatter, ReferenceInSetsWithEscapeSequences)
+{
+  // DCMTK cannot convert these with the C library's tables.
+  StructureSetBuilder builder;
+  FillReference(builder, Range(3), 3);
+  StructureSetBuilder::Put(builder.Data(), DCM_SpecificCharacterSet, "\\ISO 2022 IR 87");
+  StructureSetBuilder::Put(
+    builder.Data(), DCM_PatientName, "Yamada^Tarou=\x1b$B;3ED\x1b(B^\x1b$BB@O:\x1b(B");
+  builder.AddROI(2, "\x1b$B:8GY\x1b(B");
+  builder.Save(this->Name("reference.dcm"));
+  this->Options.Reference = this->Name("reference.dcm");
+  for (const std::string& name : { "左肺", "Lung" })
+  {
+    const std::vector<std::string> report = this->Write({ Square(name, 3) });
+    const recon::StructureSetFile file(this->Name("new.dcm"));
+    EXPECT_EQ(file.GetROIs()[1].Name, "左肺");
+    if (name == "Lung")
+    {
+      EXPECT_EQ(file.GetROIs()[2].Name, "Lung");
+      EXPECT_TRUE(report.empty());
+      continue;
+    }
+    EXPECT_EQ(recon::GetText(this->Load(), DCM_PatientName), "Yamada^Tarou=山田^太郎");
+    EXPECT_EQ(file.GetROIs()[2].Name, "左肺 (2)"); // the name is taken
+    EXPECT_EQ(report.size(), 1u);
+  }
+}
+
+TEST_F(StructureSetFormatter, ReferenceWithUnexplainedLetters)
+{
+  StructureSetBuilder builder;
+  FillReference(builder, Range(3), 3);
+  StructureSetBuilder::Put(builder.Data(), DCM_SpecificCharacterSet, "ISO_IR 192");
+  builder.Save(this->Name("reference.dcm")); // with a patient's name in Latin-1
+  this->Options.Reference = this->Name("reference.dcm");
+  const std::vector<std::string> report = this->Write({ Square("Größe", 3) });
+  ASSERT_EQ(report.size(), 1u);
+  EXPECT_NE(report[0].find("PatientName (0010,0010)"), std::string::npos) << report[0];
+  EXPECT_EQ(recon::GetText(this->Load(), DCM_PatientName), "M?ller^Eva");
+}
+
+TEST_F(StructureSetFormatter, MalformedContoursOfTheReferenceTellNoPlane)
+{
+  StructureSetBuilder builder;
+  FillReference(builder, Range(3), 3);
+  DcmItem* contour = nullptr;
+  DcmItem* roi = nullptr;
+  ASSERT_TRUE(builder.Data().findAndGetSequenceItem(DCM_ROIContourSequence, roi, 0).good());
+  ASSERT_TRUE(roi->findAndGetSequenceItem(DCM_ContourSequence, contour, 1).good());
+  builder.Put(*contour, DCM_ContourData, "1\\2\\nan");
+  builder.Save(this->Name("reference.dcm"));
+  this->Options.Reference = this->Name("reference.dcm");
+  const std::vector<std::string> report = this->Write({ this->Stack({ 0, 6 }) });
+  ASSERT_EQ(report.size(), 1u);
+  EXPECT_EQ(report[0].rfind("The reference has 1 malformed contours", 0), 0u) << report[0];
+  EXPECT_EQ(
+    this->ImagesOfLast(this->Load()), (std::vector<std::string>{ ImageUID(0), ImageUID(2) }));
+}
+
 TEST_F(StructureSetFormatter, ExclusiveOrIsForAWholeROI)
 {
   recon::WrittenROI roi = this->Stack({ 0, 3 });

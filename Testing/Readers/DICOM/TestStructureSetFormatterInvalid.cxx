@@ -178,20 +178,6 @@ TEST_F(StructureSetFormatterInvalid, FoldersThatAreNoReference)
   this->ExpectRefused("several series", "images");
 }
 
-TEST_F(StructureSetFormatterInvalid, ReferenceWithDamagedContours)
-{
-  StructureSetBuilder builder;
-  FillReference(builder, { 0 }, 1);
-  DcmItem* contour = nullptr;
-  DcmItem* roi = nullptr;
-  ASSERT_TRUE(builder.Data().findAndGetSequenceItem(DCM_ROIContourSequence, roi, 0).good());
-  ASSERT_TRUE(roi->findAndGetSequenceItem(DCM_ContourSequence, contour, 0).good());
-  builder.Put(*contour, DCM_ContourData, "1\\2\\nan");
-  builder.Save(this->Name("reference.dcm"));
-  this->Options.Reference = this->Name("reference.dcm");
-  this->ExpectRefused("expected a number", "reference.dcm");
-}
-
 TEST_F(StructureSetFormatterInvalid, DamagedReferencesEndInASentenceOrAWholeFile)
 {
   StructureSetBuilder builder;
