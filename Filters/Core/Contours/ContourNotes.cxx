@@ -38,11 +38,6 @@ std::string ShortNumber(double value)
   return text;
 }
 
-std::string Counted(std::size_t count, const std::string& noun)
-{
-  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
-}
-
 void ContourNotes::Add(
   std::vector<int> sources, std::size_t pointCount, int place, const std::string& what)
 {

@@ -6,6 +6,7 @@
 #ifndef recon_ContourNotes_h
 #define recon_ContourNotes_h
 
+#include "Base/Text.h"
 #include "Contours/ContourSet.h"
 
 #include <cstddef>
@@ -61,8 +62,6 @@ private:
 
 /// A number as it is read by people: six digits, no trailing zeros.
 std::string ShortNumber(double value);
-/// "1 edge", "2 edges".
-std::string Counted(std::size_t count, const std::string& noun);
 }
 
 #endif
