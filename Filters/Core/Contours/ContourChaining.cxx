@@ -465,7 +465,7 @@ void NoteOpen(const LoopSoup& soup, const std::vector<Piece>& pieces, ContourNot
     const double gap =
       Distance(soup.Points[Index(piece.Points.front())], soup.Points[Index(piece.Points.back())]);
     notes.Add(piece.Source, piece.Points.size(), piece.Points[0],
-      "is open, its ends are " + ShortNumber(gap) + " apart; left out");
+      "is open, its ends are " + Text(gap) + " apart; left out");
   }
 }
 }
@@ -498,7 +498,7 @@ std::vector<Ring> ChainRings(
     for (std::size_t i = before; i < rings.size(); ++i)
     {
       notes.Add(rings[i].Source, rings[i].Points.size(), rings[i].Points[0],
-        "was closed where ends lay within " + ShortNumber(tolerance) + " of each other");
+        "was closed where ends lay within " + Text(tolerance) + " of each other");
     }
   }
   NoteOpen(soup, pieces, notes);

@@ -42,13 +42,13 @@ void Validate(const ContourSet& contours, const ContourMappingOptions& options)
   {
     throw Error("The overlap threshold is a share of an area: give a number from 0 to 1 instead "
                 "of " +
-      ShortNumber(options.OverlapThreshold) + ".");
+      Text(options.OverlapThreshold) + ".");
   }
   if (!(options.MaximumGap >= 0 && std::isfinite(options.MaximumGap)))
   {
     throw Error("The maximum gap is a multiple of the slice spacing: give 0 (no limit) or a "
                 "positive number instead of " +
-      ShortNumber(options.MaximumGap) + ".");
+      Text(options.MaximumGap) + ".");
   }
 }
 

@@ -59,9 +59,6 @@ private:
   std::vector<std::string> General;
   std::vector<Note> Notes;
 };
-
-/// A number as it is read by people: six digits, no trailing zeros.
-std::string ShortNumber(double value);
 }
 
 #endif

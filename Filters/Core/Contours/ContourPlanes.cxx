@@ -199,9 +199,9 @@ private:
     {
       // The common plane of several rings fits each of them a little worse than its own.
       this->Tolerance = std::min(2 * roughness, MostRoughness * this->Gap);
-      this->Notes.AddGeneral("Points lie up to " + ShortNumber(roughness) +
+      this->Notes.AddGeneral("Points lie up to " + Text(roughness) +
         " off the plane of their own contour, so planes were found with a tolerance of " +
-        ShortNumber(this->Tolerance) + " instead of " + ShortNumber(this->Gap) + ".");
+        Text(this->Tolerance) + " instead of " + Text(this->Gap) + ".");
     }
   }
 
@@ -432,8 +432,8 @@ private:
     }
     const Vector3& n = own->Frame.Normal;
     this->Note(ring,
-      "lies in a plane of normal (" + ShortNumber(n[0]) + ", " + ShortNumber(n[1]) + ", " +
-        ShortNumber(n[2]) + "), which is not parallel to the others; left out");
+      "lies in a plane of normal (" + Text(n[0]) + ", " + Text(n[1]) + ", " + Text(n[2]) +
+        "), which is not parallel to the others; left out");
   }
 
   void NoteNotPlanar(int ring)
@@ -445,8 +445,8 @@ private:
       return;
     }
     this->Note(ring,
-      "is not planar, its points lie up to " + ShortNumber(this->Roughness(ring)) +
-        " off their plane where " + ShortNumber(this->Tolerance) + " is allowed; left out");
+      "is not planar, its points lie up to " + Text(this->Roughness(ring)) +
+        " off their plane where " + Text(this->Tolerance) + " is allowed; left out");
   }
 
   void Note(int ring, const std::string& what)

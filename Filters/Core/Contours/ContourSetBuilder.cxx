@@ -97,7 +97,7 @@ public:
       throw Error(
         "The plane tolerance is a fraction of the contours' size: give a number from 0 to "
         "below 1 instead of " +
-        ShortNumber(fraction) + ".");
+        Text(fraction) + ".");
     }
     const double tolerance = fraction * SizeOf(this->Soup);
     this->Rings = ChainRings(this->Soup, tolerance, this->Notes, this->Progress);

@@ -94,15 +94,14 @@ private:
       case ContourJoin::Forbidden:
         return " because the join is forbidden; " + this->SharedWords() + ".";
       case ContourJoin::GapTooWide:
-        return ": the levels are " + ShortNumber(this->Context.Gap) + " apart, more than " +
-          ShortNumber(this->Context.MaximumGap) + " times the usual " +
-          ShortNumber(this->Context.Spacing) + ".";
+        return ": the levels are " + Text(this->Context.Gap) + " apart, more than " +
+          Text(this->Context.MaximumGap) + " times the usual " + Text(this->Context.Spacing) + ".";
       case ContourJoin::InternalWall:
         return this->ReasonOfRuleOne();
       case ContourJoin::ByDistance:
         return ": one of them overlaps nothing above or below, and they are " +
-          ShortNumber(this->Join.Distance) + " apart, next to nothing beside the " +
-          ShortNumber(this->Context.Gap) + " between their levels.";
+          Text(this->Join.Distance) + " apart, next to nothing beside the " +
+          Text(this->Context.Gap) + " between their levels.";
       case ContourJoin::ByOverlap:
       case ContourJoin::NoPartner:
         break;
@@ -176,10 +175,10 @@ std::string PlaceOf(const Level& level)
   {
     if (level.Frame.Normal[k] == 1)
     {
-      return names[k] + (" = " + ShortNumber(level.Offset));
+      return names[k] + (" = " + Text(level.Offset));
     }
   }
-  return "offset = " + ShortNumber(level.Offset);
+  return "offset = " + Text(level.Offset);
 }
 
 std::string DescribeJoin(const ContourSet& contours, const ContourMapping& mapping,
