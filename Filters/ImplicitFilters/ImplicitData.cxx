@@ -188,7 +188,7 @@ void ToPolyData(const ImplicitMesh& mesh, vtkPolyData* output)
   }
   output->GetPointData()->SetNormals(normals);
   AddFieldNumbers(output, "CellSize", { mesh.CellSize });
-  AddFieldNumbers(output, "LeastAngle", { mesh.LeastAngle });
+  AddFieldNumbers(output, "SmallestAngle", { mesh.SmallestAngle });
 }
 
 std::vector<Point3> PointsOf(vtkPolyData* data)

@@ -7,7 +7,7 @@
 #define ImplicitOptions_h
 
 #include "Implicit/Constraints/Constraints.h"
-#include "Implicit/ImplicitFunction.h"
+#include "Implicit/Solver/FitImplicitFunction.h"
 #include "Implicit/ZeroSet/Polygonizer.h"
 
 #include <algorithm>

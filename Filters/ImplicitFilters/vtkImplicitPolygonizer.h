@@ -6,7 +6,7 @@
  * Input: a model of vtkImplicitFunctionFit, also from a file.
  *
  * Output: triangles in the coordinates of the model, closed, manifold, oriented outward, with point
- * `Normals` from the function's gradient; field data `CellSize`, `LeastAngle` (degrees) and
+ * `Normals` from the function's gradient; field data `CellSize`, `SmallestAngle` (degrees) and
  * `Report`. Every constraint of value 0 is a seed, so every component that a contour touches is
  * meshed and no sheet far from all contours.
  *

@@ -8,7 +8,7 @@
  * or more planes of any orientation, in any unit.
  *
  * Output: triangles in the coordinates of the input, closed, manifold, oriented outward, without
- * slivers, with point `Normals`; field data `Residual`, `MarginDistance`, `CellSize`, `LeastAngle`
+ * slivers, with point `Normals`; field data `Residual`, `MarginDistance`, `CellSize`, `SmallestAngle`
  * (degrees), `ConstraintCount` and `Report` (of all stages). Without Bounds, contours parallel to a
  * coordinate plane end at most 0.4 of a slice beyond the last ones.
  *

@@ -12,7 +12,7 @@
  */
 #include "Implicit/FastMultipole/DirectSums.h"
 #include "Implicit/FastMultipole/FunctionEvaluator.h"
-#include "Implicit/ImplicitFunction.h"
+#include "Implicit/Solver/FitImplicitFunction.h"
 #include "Implicit/ZeroSet/Polygonizer.h"
 
 #include <sys/resource.h>

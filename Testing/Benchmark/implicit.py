@@ -41,7 +41,7 @@ def surface(contours, properties):
 def figures(data):
     """Euler number, crossing triangle pairs and least angle in degrees."""
     total = certificate(data)
-    angle = data.GetFieldData().GetArray("LeastAngle")
+    angle = data.GetFieldData().GetArray("SmallestAngle")
     return total["Euler"], total["CrossingPairs"], angle.GetTuple1(0) if angle else float("nan")
 
 

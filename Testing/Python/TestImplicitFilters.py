@@ -37,7 +37,7 @@ def check_surface(name, surface, euler):
         ct.check(values and all(v == "1" for v in values), f"{name}: {figure} is {values}")
     ct.check(number(out, "CrossingPairs") == 0, f"{name} crosses itself")
     ct.check(number(out, "Euler") == euler, f"{name}: Euler number {field(out, 'Euler')}, not {euler}")
-    ct.check(number(ct.data(surface), "LeastAngle") >= 1, f"{name}: an angle of {field(ct.data(surface), 'LeastAngle')}")
+    ct.check(number(ct.data(surface), "SmallestAngle") >= 1, f"{name}: an angle of {field(ct.data(surface), 'SmallestAngle')}")
     normals = ct.data(surface).GetPointData().GetNormals()
     ct.check(normals is not None and normals.GetNumberOfComponents() == 3, f"{name} has no normals")
 

@@ -77,7 +77,7 @@ def check_set(name, file, spacing, cell, properties, reference):
     farthest = max(figure(certificate, "FarthestContourVertex"), figure(certificate, "FarthestContourEdge"))
     size = figure(surface, "CellSize")
     ct.check(farthest <= size, f"{name}: a contour is {farthest} away from the surface, more than a cell of {size}")
-    angle = figure(surface, "LeastAngle")
+    angle = figure(surface, "SmallestAngle")
     ct.check(angle >= 1, f"{name}: an angle of {angle} degrees")
     row = [name, f"{figure(surface, 'ConstraintCount'):.0f}", surface.GetNumberOfPolys(),
            f"{figure(certificate, 'Components'):.0f}", f"{figure(certificate, 'Euler'):.0f}", f"{crossing:.0f}",

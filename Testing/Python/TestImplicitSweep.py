@@ -50,7 +50,7 @@ def check_set(name, contours, full):
         ct.check(figures[kind] == 1, f"{name}: {kind} is {figures[kind]}")
     for kind in ("CrossingPairs", "OverlappingPairs"):
         ct.check(figures[kind] == 0, f"{name}: {kind} is {figures[kind]}")
-    angle = result.surface.GetFieldData().GetArray("LeastAngle").GetTuple1(0)
+    angle = result.surface.GetFieldData().GetArray("SmallestAngle").GetTuple1(0)
     ct.check(not full or angle >= 1, f"{name}: an angle of {angle} degrees")
     size = result.surface.GetFieldData().GetArray("CellSize").GetTuple1(0)
     farthest = max(figures["FarthestContourVertex"], figures["FarthestContourEdge"])

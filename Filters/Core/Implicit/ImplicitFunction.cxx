@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Implicit/ImplicitFunction.h"
 
-#include "Base/Parallel.h"
 #include "Implicit/FastMultipole/DirectSums.h"
 
 #include <algorithm>
@@ -9,33 +8,6 @@
 
 namespace recon
 {
-namespace
-{
-/// Points that one thread takes at a time; any number gives the same sums.
-constexpr int PointsPerPiece = 256;
-
-template <typename Body>
-void ForPieces(std::size_t points, int threads, const Body& body)
-{
-  const int pieces = static_cast<int>((points + PointsPerPiece - 1) / PointsPerPiece);
-  const auto run = [&](int piece)
-  {
-    const std::size_t from = static_cast<std::size_t>(piece) * PointsPerPiece;
-    body(from, std::min(points, from + PointsPerPiece));
-  };
-  if (pieces < 2 || threads == 1)
-  {
-    for (int piece = 0; piece < pieces; ++piece)
-    {
-      run(piece);
-    }
-    return;
-  }
-  Monitor silent;
-  ParallelFor(pieces, threads, run, silent, { 0, 1, "evaluating the function" });
-}
-}
-
 double ImplicitFunction::Value(const Point3& x) const
 {
   return this->Evaluate({ x }, 1).front();
@@ -48,39 +20,37 @@ Vector3 ImplicitFunction::Gradient(const Point3& x) const
 
 std::vector<double> ImplicitFunction::Evaluate(const std::vector<Point3>& points, int threads) const
 {
-  std::vector<double> values(points.size());
-  ForPieces(points.size(), threads,
-    [&](std::size_t from, std::size_t to)
-    {
-      SumKernels(this->Phi, this->Centres, this->Weights, points.data() + from, to - from,
-        values.data() + from);
-      for (std::size_t i = from; i < to; ++i)
-      {
-        const Vector3 x = points[i] - this->Origin;
-        values[i] += this->Polynomial[0] + this->Polynomial[1] * x[0] + this->Polynomial[2] * x[1] +
-          this->Polynomial[3] * x[2];
-      }
-    });
+  Monitor silent;
+  return this->Evaluate(points, threads, silent);
+}
+
+std::vector<double> ImplicitFunction::Evaluate(
+  const std::vector<Point3>& points, int threads, Monitor& monitor) const
+{
+  std::vector<double> values =
+    SumAllKernels(this->Phi, this->Centres, this->Weights, points, threads, monitor);
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    const Vector3 x = points[i] - this->Origin;
+    values[i] += this->Polynomial[0] + this->Polynomial[1] * x[0] + this->Polynomial[2] * x[1] +
+      this->Polynomial[3] * x[2];
+  }
   return values;
 }
 
 std::vector<Vector3> ImplicitFunction::EvaluateGradients(
   const std::vector<Point3>& points, int threads) const
 {
-  std::vector<Vector3> gradients(points.size());
-  ForPieces(points.size(), threads,
-    [&](std::size_t from, std::size_t to)
+  Monitor silent;
+  std::vector<Vector3> gradients =
+    SumAllKernelGradients(this->Phi, this->Centres, this->Weights, points, threads, silent);
+  for (Vector3& gradient : gradients)
+  {
+    for (int a = 0; a < 3; ++a)
     {
-      SumKernelGradients(this->Phi, this->Centres, this->Weights, points.data() + from, to - from,
-        gradients.data() + from);
-      for (std::size_t i = from; i < to; ++i)
-      {
-        for (int a = 0; a < 3; ++a)
-        {
-          gradients[i][a] += this->Polynomial[1 + a];
-        }
-      }
-    });
+      gradient[a] += this->Polynomial[1 + a];
+    }
+  }
   return gradients;
 }
 

@@ -192,6 +192,19 @@ MassFigures Combine(const std::vector<MassFigures>& parts, const Sums& rest)
 }
 }
 
+double ComputeSmallestAngle(const TriangleMesh& mesh)
+{
+  double largest = -std::numeric_limits<double>::infinity();
+  for (const auto& t : mesh.Triangles)
+  {
+    const Vector3 ab = mesh.Points[t[1]] - mesh.Points[t[0]];
+    const Vector3 bc = mesh.Points[t[2]] - mesh.Points[t[1]];
+    const Vector3 ca = mesh.Points[t[0]] - mesh.Points[t[2]];
+    largest = std::max(largest, CotangentOfSmallestAngle(ab, bc, ca, Norm(Cross(ab, bc))));
+  }
+  return std::atan2(1.0, largest) * DegreesPerRadian;
+}
+
 std::vector<double> ComputeSignedVolumes(
   const TriangleMesh& mesh, const std::vector<int>& componentOfTriangle, int count)
 {

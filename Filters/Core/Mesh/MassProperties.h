@@ -33,6 +33,9 @@ struct MassFigures
   double SmallestAngle = 0; ///< 0 where a triangle has no area
 };
 
+/// The smallest angle of all triangles in degrees; 0 where one has no area, 180 where there is none.
+double ComputeSmallestAngle(const TriangleMesh& mesh);
+
 /// The divergence theorem's sum over each of `count` components, whether or not they enclose a
 /// volume.
 std::vector<double> ComputeSignedVolumes(

@@ -6,7 +6,7 @@
 #ifndef recon_ConstraintShapes_h
 #define recon_ConstraintShapes_h
 
-#include "Implicit/ImplicitFunction.h"
+#include "Implicit/Solver/FitImplicitFunction.h"
 
 #include <cmath>
 

@@ -2,7 +2,7 @@
 // The fast sum against sums over all pairs: every accuracy, awkward clouds, gradients, threads.
 #include "Implicit/FastMultipole/DirectSums.h"
 #include "Implicit/FastMultipole/FastKernelSum.h"
-#include "Implicit/ImplicitFunction.h"
+#include "Implicit/Solver/FitImplicitFunction.h"
 
 #include <gtest/gtest.h>
 

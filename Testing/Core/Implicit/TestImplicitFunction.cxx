@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The fit against scipy's and against its own conditions; evaluation, gradients, threads.
-#include "Implicit/ImplicitFunction.h"
+#include "Implicit/Solver/FitImplicitFunction.h"
 
 #include <gtest/gtest.h>
 

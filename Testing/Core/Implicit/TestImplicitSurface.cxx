@@ -118,7 +118,7 @@ TEST(ImplicitSurface, TorusHasAHandle)
   const ImplicitSurface torus = Build(handmade::TorusSlices(10, 4, 15, 24), Coarse());
   ExpectSoundSurface(torus.Mesh.Mesh);
   EXPECT_EQ(CheckTopology(torus.Mesh.Mesh).Total.Euler, 0);
-  EXPECT_GE(torus.Mesh.LeastAngle, 1);
+  EXPECT_GE(torus.Mesh.SmallestAngle, 1);
   EXPECT_NEAR(VolumeOf(torus.Mesh.Mesh), 2 * handmade::Pi * handmade::Pi * 10 * 16, 60);
 }
 
@@ -141,7 +141,7 @@ TEST(ImplicitSurface, PreviewsAreSoundAndSaySo)
     EXPECT_GT(preview.Fit.Function.Centres.size(), fewer);
     fewer = preview.Fit.Function.Centres.size();
     EXPECT_LT(fewer, detail == PolygonizerOptions::Coarse ? 2500u : 7000u);
-    EXPECT_TRUE(detail == PolygonizerOptions::Coarse || preview.Mesh.LeastAngle >= 1);
+    EXPECT_TRUE(detail == PolygonizerOptions::Coarse || preview.Mesh.SmallestAngle >= 1);
     options.Polygonizer.CellSize = 3; // coarser, so it counts
     EXPECT_EQ(Build(torus, options).Mesh.CellSize, 3);
   }

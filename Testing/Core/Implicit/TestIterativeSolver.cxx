@@ -3,7 +3,7 @@
 #include "ConstraintShapes.h"
 #include "Implicit/Solver/AvailableMemory.h"
 #include "Implicit/Solver/InverseCholesky.h"
-#include "Implicit/Solver/IterativeRbfSystem.h"
+#include "Implicit/Solver/IterativeSolver.h"
 #include "Implicit/Solver/MaximinOrder.h"
 
 #include <gtest/gtest.h>

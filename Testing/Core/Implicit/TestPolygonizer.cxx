@@ -43,7 +43,7 @@ TEST(Polygonizer, SphereIsSoundAndRound)
   const ImplicitMesh ball = Mesh(Ball());
   ExpectSoundSurface(ball.Mesh);
   EXPECT_EQ(EulerOf(ball.Mesh), 2);
-  EXPECT_GE(ball.LeastAngle, 1);
+  EXPECT_GE(ball.SmallestAngle, 1);
   EXPECT_TRUE(ball.Report.empty()) << ball.Report.front();
   ASSERT_EQ(ball.Normals.size(), ball.Mesh.Points.size());
   for (std::size_t i = 0; i < ball.Mesh.Points.size(); ++i)
@@ -82,7 +82,7 @@ TEST(Polygonizer, BoundsCloseOrCut)
   const ImplicitMesh closed = Mesh(Ball(), options);
   ExpectSoundSurface(closed.Mesh);
   EXPECT_EQ(EulerOf(closed.Mesh), 2);
-  EXPECT_GE(closed.LeastAngle, 1);
+  EXPECT_GE(closed.SmallestAngle, 1);
   for (const Point3& p : closed.Mesh.Points)
   {
     EXPECT_GE(p[0], 25 - 1e-6);
@@ -95,7 +95,7 @@ TEST(Polygonizer, BoundsCloseOrCut)
   EXPECT_GT(total.OpenEdges, 0);
   EXPECT_EQ(total.MisorientedEdges, 0);
   EXPECT_EQ(total.Euler, 1);
-  EXPECT_GE(open.LeastAngle, 1);
+  EXPECT_GE(open.SmallestAngle, 1);
 }
 
 TEST(Polygonizer, OnlyWhatSeedsTouch)
@@ -147,7 +147,7 @@ TEST(Polygonizer, NoNeedlesWhereWallsAreThinnerThanCells)
     options.Box = Bounds{ -6.05, 6.1, -4, 4, -0.03, 10.04 };
     const ImplicitMesh mesh = Mesh(rods, options);
     ExpectSoundSurface(mesh.Mesh);
-    EXPECT_GE(mesh.LeastAngle, 1) << size;
+    EXPECT_GE(mesh.SmallestAngle, 1) << size;
   }
 }
 
@@ -173,7 +173,7 @@ TEST(Polygonizer, MazesStaySound)
     options.CellSize = 0.1 + 0.005 * seed;
     const ImplicitMesh mesh = Polygonize(maze, SeedsOf(maze), options, monitor);
     ExpectSoundSurface(mesh.Mesh);
-    EXPECT_GE(mesh.LeastAngle, 1) << "seed " << seed;
+    EXPECT_GE(mesh.SmallestAngle, 1) << "seed " << seed;
     triangles += mesh.Mesh.Triangles.size();
   }
   EXPECT_GT(triangles, 30000u);
@@ -212,7 +212,7 @@ TEST(Polygonizer, SmallerCellsWhereAGapWouldBeMissed)
     options.Box = Bounds{ -2.5 - 0.02 * shift, 2.5, -1.5, 1.5, -0.5, 2.5 };
     const ImplicitMesh mesh = Mesh(blocks, options);
     ExpectSoundSurface(mesh.Mesh);
-    EXPECT_GE(mesh.LeastAngle, 1);
+    EXPECT_GE(mesh.SmallestAngle, 1);
     EXPECT_TRUE(mesh.Report.empty()) << mesh.Report.front();
     const TriangleTree tree(mesh.Mesh);
     for (const Point3& seed : seeds)
@@ -244,7 +244,7 @@ TEST(Polygonizer, DetailSetsTheCells)
   const ImplicitMesh medium = Mesh(Ball(), options);
   ExpectSoundSurface(medium.Mesh);
   EXPECT_DOUBLE_EQ(medium.CellSize, std::max(diagonal / 100, Mesh(Ball()).CellSize));
-  EXPECT_GE(medium.LeastAngle, 1);
+  EXPECT_GE(medium.SmallestAngle, 1);
 }
 
 TEST(Polygonizer, SnapsContourPoints)
@@ -254,7 +254,7 @@ TEST(Polygonizer, SnapsContourPoints)
   options.CellSize = 0.8;
   const ImplicitMesh ball = Mesh(Ball(), options);
   ExpectSoundSurface(ball.Mesh);
-  EXPECT_GE(ball.LeastAngle, 1);
+  EXPECT_GE(ball.SmallestAngle, 1);
   const std::set<Point3> points(ball.Mesh.Points.begin(), ball.Mesh.Points.end());
   std::size_t snapped = 0;
   for (const Point3& seed : SeedsOf(Ball().Contours))

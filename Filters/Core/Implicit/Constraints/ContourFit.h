@@ -26,7 +26,7 @@
 #define recon_ContourFit_h
 
 #include "Implicit/Constraints/Constraints.h"
-#include "Implicit/ImplicitFunction.h"
+#include "Implicit/Solver/FitImplicitFunction.h"
 
 namespace recon
 {

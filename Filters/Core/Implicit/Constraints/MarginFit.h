@@ -7,6 +7,7 @@
 #define recon_MarginFit_h
 
 #include "Implicit/Constraints/RefinedMargins.h"
+#include "Implicit/Solver/FitImplicitFunction.h"
 
 namespace recon
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Implicit/FastMultipole/DirectSums.h"
 
+#include "Base/Parallel.h"
 #include "Base/SimdClones.h"
 
 #include <algorithm>
@@ -37,6 +38,22 @@ Block Load(const Point3* points, std::size_t count)
     block.Z[l] = p[2];
   }
   return block;
+}
+
+/// Points that one thread takes at a time; any number gives the same sums.
+constexpr std::size_t PointsPerPiece = 64;
+
+/// body(from, to) for the points in pieces that threads share.
+template <typename Body>
+void ForPieces(std::size_t points, int threads, const Body& body, Monitor& monitor)
+{
+  const auto run = [&](int piece)
+  {
+    const std::size_t from = static_cast<std::size_t>(piece) * PointsPerPiece;
+    body(from, std::min(points, from + PointsPerPiece));
+  };
+  ParallelFor(static_cast<int>((points + PointsPerPiece - 1) / PointsPerPiece), threads, run,
+    monitor, { 0, 1, "summing kernels" });
 }
 
 using Sums = std::array<double, Lanes>;
@@ -187,5 +204,28 @@ void SumKernelGradients(const Kernel& phi, const std::vector<Point3>& centres,
       gradients[from + l] = { out.X[l], out.Y[l], out.Z[l] };
     }
   }
+}
+
+std::vector<double> SumAllKernels(const Kernel& phi, const std::vector<Point3>& centres,
+  const std::vector<double>& weights, const std::vector<Point3>& points, int threads,
+  Monitor& monitor)
+{
+  std::vector<double> sums(points.size());
+  const auto sum = [&](std::size_t from, std::size_t to)
+  { SumKernels(phi, centres, weights, points.data() + from, to - from, sums.data() + from); };
+  ForPieces(points.size(), threads, sum, monitor);
+  return sums;
+}
+
+std::vector<Vector3> SumAllKernelGradients(const Kernel& phi, const std::vector<Point3>& centres,
+  const std::vector<double>& weights, const std::vector<Point3>& points, int threads,
+  Monitor& monitor)
+{
+  std::vector<Vector3> sums(points.size());
+  const auto sum = [&](std::size_t from, std::size_t to) {
+    SumKernelGradients(phi, centres, weights, points.data() + from, to - from, sums.data() + from);
+  };
+  ForPieces(points.size(), threads, sum, monitor);
+  return sums;
 }
 }

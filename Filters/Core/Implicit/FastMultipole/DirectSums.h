@@ -8,6 +8,7 @@
 #define recon_DirectSums_h
 
 #include "Base/Geometry.h"
+#include "Base/Monitor.h"
 #include "Implicit/Kernel.h"
 
 #include <cstddef>
@@ -22,6 +23,15 @@ void SumKernels(const Kernel& phi, const std::vector<Point3>& centres,
 /// The gradients of the same sums.
 void SumKernelGradients(const Kernel& phi, const std::vector<Point3>& centres,
   const std::vector<double>& weights, const Point3* points, std::size_t count, Vector3* gradients);
+
+/// The sums at many points, in threads (0 = all of the machine); the same for any number of them.
+/// @throws Aborted
+std::vector<double> SumAllKernels(const Kernel& phi, const std::vector<Point3>& centres,
+  const std::vector<double>& weights, const std::vector<Point3>& points, int threads,
+  Monitor& monitor);
+std::vector<Vector3> SumAllKernelGradients(const Kernel& phi, const std::vector<Point3>& centres,
+  const std::vector<double>& weights, const std::vector<Point3>& points, int threads,
+  Monitor& monitor);
 }
 
 #endif

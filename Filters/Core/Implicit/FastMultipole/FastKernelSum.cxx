@@ -4,6 +4,7 @@
 #include "Base/Parallel.h"
 #include "Base/SubMonitor.h"
 #include "Implicit/FastMultipole/DirectSums.h"
+#include "Implicit/FastMultipole/Expansions.h"
 #include "Implicit/FastMultipole/KernelSumPlan.h"
 
 #include <algorithm>
@@ -31,130 +32,6 @@ constexpr int BoxesPerPiece = 32;
 constexpr std::int32_t PointsPerRun = 256;
 
 constexpr const char* Stage = "summing kernels";
-
-/// Expansions of all boxes of a tree, one after the other; their length goes with the level.
-class Expansions
-{
-public:
-  void Reset(const KernelOctree& tree, const std::vector<int>& orderOfLevel)
-  {
-    this->Start.assign(1, 0);
-    for (const OctreeBox& box : tree.Boxes())
-    {
-      this->Start.push_back(this->Start.back() + CoefficientCount(orderOfLevel[box.Level]));
-    }
-    this->Values.assign(this->Start.back(), 0);
-  }
-  double* Of(std::int32_t box) { return this->Values.data() + this->Start[box]; }
-  const double* Of(std::int32_t box) const { return this->Values.data() + this->Start[box]; }
-
-private:
-  std::vector<std::size_t> Start;
-  std::vector<double> Values;
-};
-
-/// Up to ExpansionLanes translations by one operator, side by side.
-class Translator
-{
-public:
-  Translator(const SparseOperator& op, int fromOrder, int toOrder)
-    : Op(op),
-      From(ChebyshevOperators::OfOrder(fromOrder)),
-      To(ChebyshevOperators::OfOrder(toOrder)),
-      X(static_cast<std::size_t>(CoefficientCount(fromOrder)) * ExpansionLanes),
-      Y(static_cast<std::size_t>(CoefficientCount(toOrder)) * ExpansionLanes)
-  {
-  }
-
-  void Add(const double* from, double* to, int turn)
-  {
-    const Orientation& turned = this->From.Turned(turn);
-    const std::size_t count = turned.Source.size();
-    double* x = this->X.data() + this->Count;
-    for (std::size_t s = 0; s < count; ++s)
-    {
-      x[s * ExpansionLanes] = turned.Sign[s] * from[turned.Source[s]];
-    }
-    this->Targets[this->Count] = to;
-    this->TargetTurns[this->Count] = turn;
-    ++this->Count;
-  }
-
-  bool Full() const { return this->Count == ExpansionLanes; }
-
-  /// Adds scale times the results to their targets, in the order in which they came.
-  void Flush(double scale)
-  {
-    if (this->Count == 0)
-    {
-      return;
-    }
-    Apply(this->Op, this->X.data(), this->Y.data());
-    for (int b = 0; b < this->Count; ++b)
-    {
-      const Orientation& turned = this->To.Turned(this->TargetTurns[b]);
-      const std::size_t count = turned.Source.size();
-      const double* y = this->Y.data() + b;
-      double* to = this->Targets[b];
-      for (std::size_t s = 0; s < count; ++s)
-      {
-        to[turned.Source[s]] += scale * turned.Sign[s] * y[s * ExpansionLanes];
-      }
-    }
-    this->Count = 0;
-  }
-
-private:
-  const SparseOperator& Op;
-  const ChebyshevOperators& From;
-  const ChebyshevOperators& To;
-  std::vector<double> X;
-  std::vector<double> Y;
-  std::array<double*, ExpansionLanes> Targets{};
-  std::array<int, ExpansionLanes> TargetTurns{};
-  int Count = 0;
-};
-
-/// The axes on whose negative side of its parent a box lies.
-int SideOf(const OctreeBox& box)
-{
-  int side = 0;
-  for (int a = 0; a < 3; ++a)
-  {
-    side |= (box.Cell[a] & 1) == 0 ? 1 << a : 0;
-  }
-  return side;
-}
-
-/// Some points of a box side by side, in its own coordinates. The last one fills a short block.
-LanePoints LocalBlock(
-  const std::vector<Point3>& points, const OctreeBox& box, std::int32_t from, std::int32_t to)
-{
-  const Point3 centre = KernelOctree::CentreOf(box);
-  const double scale = 1 / KernelOctree::HalfWidthOf(box.Level);
-  LanePoints block;
-  for (int b = 0; b < ExpansionLanes; ++b)
-  {
-    const Point3& p = points[std::min(from + b, to - 1)];
-    block.X[b] = scale * (p[0] - centre[0]);
-    block.Y[b] = scale * (p[1] - centre[1]);
-    block.Z[b] = scale * (p[2] - centre[2]);
-  }
-  return block;
-}
-
-LanePoints UnitBlock(const std::vector<Point3>& points, std::int32_t from, std::int32_t to)
-{
-  LanePoints block;
-  for (int b = 0; b < ExpansionLanes; ++b)
-  {
-    const Point3& p = points[std::min(from + b, to - 1)];
-    block.X[b] = p[0];
-    block.Y[b] = p[1];
-    block.Z[b] = p[2];
-  }
-  return block;
-}
 
 /// Pieces side by side where they are worth a thread.
 template <typename Body>
@@ -592,29 +469,33 @@ private:
   void SumBeyond(const std::vector<Point3>& points, const std::vector<std::size_t>& which,
     std::vector<double>& values, std::vector<Vector3>* gradients, Monitor& monitor) const
   {
-    ForPieces(which.size(), ExpansionLanes, this->Threads, monitor,
-      [&](std::size_t from, std::size_t to)
-      {
-        for (std::size_t k = from; k < to; ++k)
-        {
-          const std::size_t i = which[k];
-          SumKernels({}, this->Given, this->Weights, &points[i], 1, &values[i]);
-          if (gradients)
-          {
-            SumKernelGradients({}, this->Given, this->Weights, &points[i], 1, &(*gradients)[i]);
-          }
-        }
-      });
+    std::vector<Point3> places;
+    for (const std::size_t i : which)
+    {
+      places.push_back(points[i]);
+    }
+    const std::vector<double> sums =
+      SumAllKernels({}, this->Given, this->Weights, places, this->Threads, monitor);
+    for (std::size_t k = 0; k < which.size(); ++k)
+    {
+      values[which[k]] = sums[k];
+    }
+    if (!gradients)
+    {
+      return;
+    }
+    const std::vector<Vector3> slopes =
+      SumAllKernelGradients({}, this->Given, this->Weights, places, this->Threads, monitor);
+    for (std::size_t k = 0; k < which.size(); ++k)
+    {
+      (*gradients)[which[k]] = slopes[k];
+    }
   }
 
   std::vector<double> Exact(const std::vector<Point3>& points) const
   {
-    std::vector<double> sums(points.size());
     Monitor silent;
-    ForPieces(points.size(), 8, this->Threads, silent,
-      [&](std::size_t from, std::size_t to)
-      { SumKernels({}, this->Given, this->Weights, &points[from], to - from, &sums[from]); });
-    return sums;
+    return SumAllKernels({}, this->Given, this->Weights, points, this->Threads, silent);
   }
 
   int Threads;

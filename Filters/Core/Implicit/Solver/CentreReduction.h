@@ -7,7 +7,7 @@
 #ifndef recon_CentreReduction_h
 #define recon_CentreReduction_h
 
-#include "Implicit/ImplicitFunction.h"
+#include "Implicit/Solver/FitImplicitFunction.h"
 
 namespace recon
 {

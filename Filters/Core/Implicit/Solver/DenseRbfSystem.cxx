@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "Implicit/Solver/DenseRbfSystem.h"
 #include "Base/Parallel.h"
 #include "Implicit/Solver/Lapack.h"
-#include "Implicit/Solver/RbfSystem.h"
 
 #include <Eigen/Dense>
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "Base/Parallel.h"
+#include "Implicit/Solver/FitImplicitFunction.h"
+
 #include "Base/PointGrid.h"
 #include "Base/SubMonitor.h"
 #include "Base/Text.h"
-#include "Implicit/FastMultipole/DirectSums.h"
-#include "Implicit/ImplicitFunction.h"
 #include "Implicit/Solver/AvailableMemory.h"
 #include "Implicit/Solver/CentreReduction.h"
-#include "Implicit/Solver/IterativeRbfSystem.h"
-#include "Implicit/Solver/RbfSystem.h"
+#include "Implicit/Solver/DenseRbfSystem.h"
+#include "Implicit/Solver/IterativeSolver.h"
+#include "Implicit/Solver/SparseRbfSystem.h"
 
 #include <Eigen/Dense>
 
@@ -411,30 +411,6 @@ private:
   RbfProblem Problem;
 };
 
-/// Values by exact sums, whatever their number, that can be stopped.
-std::vector<double> ExactValues(const ImplicitFunction& function, const std::vector<Point3>& points,
-  int threads, Monitor& monitor)
-{
-  constexpr std::size_t PointsPerPiece = 32;
-  std::vector<double> values(points.size());
-  ParallelFor(static_cast<int>((points.size() + PointsPerPiece - 1) / PointsPerPiece), threads,
-    [&](int piece)
-    {
-      const std::size_t from = static_cast<std::size_t>(piece) * PointsPerPiece;
-      const std::size_t to = std::min(points.size(), from + PointsPerPiece);
-      SumKernels(function.Phi, function.Centres, function.Weights, points.data() + from, to - from,
-        values.data() + from);
-      for (std::size_t i = from; i < to; ++i)
-      {
-        const Vector3 x = points[i] - function.Origin;
-        values[i] += function.Polynomial[0] + function.Polynomial[1] * x[0] +
-          function.Polynomial[2] * x[1] + function.Polynomial[3] * x[2];
-      }
-    },
-    monitor, { 0, 1, "checking the misfit" });
-  return values;
-}
-
 double LargestMisfit(ImplicitFunction& function, int threads, Monitor& monitor)
 {
   const std::size_t n = function.Centres.size();
@@ -447,7 +423,7 @@ double LargestMisfit(ImplicitFunction& function, int threads, Monitor& monitor)
     points.push_back(function.Centres[i]);
     values.push_back(function.Values[i]);
   }
-  const std::vector<double> f = ExactValues(function, points, threads, monitor);
+  const std::vector<double> f = function.Evaluate(points, threads, monitor);
   // By fast sums the iterative solver has looked at all.
   double largest = checked < n ? function.Residual : 0;
   for (std::size_t k = 0; k < checked; ++k)

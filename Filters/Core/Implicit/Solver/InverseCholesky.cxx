@@ -2,16 +2,13 @@
 #include "Implicit/Solver/InverseCholesky.h"
 
 #include "Base/Parallel.h"
-#include "Base/SimdClones.h"
+#include "Implicit/Solver/SmallCholesky.h"
 
 #include <Eigen/Dense>
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-
-// The wide version may fuse operations: a preconditioner's last bits matter to nobody, as long as
-// they are the same for any number of threads.
 
 namespace recon
 {
@@ -22,153 +19,13 @@ constexpr int Simplex = MaximinOrder::Simplex;
 constexpr int GroupsPerPiece = 8;
 constexpr int GroupsPerUpdate = 1024;
 constexpr int RowsPerPiece = 4096;
-/// Kernels in the unit ball are up to 8, so a pivot below this has lost most of its digits to
-/// rounding, as where two points are 1e-4 of the ball apart: such a group is factorised again in
-/// long double.
-constexpr double LeastSurePivot = 1e-12;
 /// Below this, weights would grow so large that the products' own rounding, in doubles, were more
 /// than the values: to working precision the point repeats those before it. It gets no weight; what
 /// the others make there is its misfit.
 constexpr double LeastPivot = 1e-13;
-/// Right-hand sides that are solved for side by side.
-constexpr int Lanes = 8;
-
 int PiecesOf(std::size_t count, int perPiece)
 {
   return static_cast<int>((count + perPiece - 1) / perPiece);
-}
-
-/// a[0..count) -= the product of four columns with four factors.
-RECON_CLONES_FUSED void SubtractFour(
-  double* a, const double* columns, std::size_t stride, const double* factors, int count)
-{
-  const double* c0 = columns;
-  const double* c1 = columns + stride;
-  const double* c2 = columns + 2 * stride;
-  const double* c3 = columns + 3 * stride;
-  const double f0 = factors[0];
-  const double f1 = factors[1];
-  const double f2 = factors[2];
-  const double f3 = factors[3];
-  for (int i = 0; i < count; ++i)
-  {
-    a[i] -= f0 * c0[i] + f1 * c1[i] + f2 * c2[i] + f3 * c3[i];
-  }
-}
-
-RECON_CLONES_FUSED void SubtractOne(double* a, const double* column, double factor, int count)
-{
-  for (int i = 0; i < count; ++i)
-  {
-    a[i] -= factor * column[i];
-  }
-}
-
-/// Column k of the factor, from a column that all before it have been subtracted from.
-/// @return false where its pivot is not sure.
-bool FinishColumn(double* column, int k, int size)
-{
-  if (!(column[k] > LeastSurePivot))
-  {
-    return false;
-  }
-  column[k] = std::sqrt(column[k]);
-  const double factor = 1 / column[k];
-  for (int i = k + 1; i < size; ++i)
-  {
-    column[i] *= factor;
-  }
-  return true;
-}
-
-/// Cholesky's factor in place of the lower triangle, column after column; four at a time are
-/// subtracted from the rest. @return false at the first pivot that is not sure.
-bool Cholesky(double* a, int size)
-{
-  constexpr int Width = 4;
-  for (int from = 0; from < size; from += Width)
-  {
-    const int to = std::min(size, from + Width);
-    for (int k = from; k < to; ++k)
-    {
-      double* column = a + static_cast<std::size_t>(k) * size;
-      for (int q = from; q < k; ++q)
-      {
-        const double* done = a + static_cast<std::size_t>(q) * size;
-        SubtractOne(column + k, done + k, done[k], size - k);
-      }
-      if (!FinishColumn(column, k, size))
-      {
-        return false;
-      }
-    }
-    if (to - from < Width)
-    {
-      break;
-    }
-    const double* block = a + static_cast<std::size_t>(from) * size;
-    for (int j = to; j < size; ++j)
-    {
-      std::array<double, Width> factors{};
-      for (int q = 0; q < Width; ++q)
-      {
-        factors[q] = block[j + static_cast<std::size_t>(q) * size];
-      }
-      SubtractFour(
-        a + j + static_cast<std::size_t>(j) * size, block + j, size, factors.data(), size - j);
-    }
-  }
-  return true;
-}
-
-/// x := L^-T x for eight right-hand sides beside one another, rows [0, last].
-RECON_CLONES_FUSED void SolveTransposed(const double* factor, int size, int last, double* x)
-{
-  for (int i = last; i >= 0; --i)
-  {
-    const double* column = factor + static_cast<std::size_t>(i) * size;
-    double sum[Lanes];
-    for (int l = 0; l < Lanes; ++l)
-    {
-      sum[l] = x[i * Lanes + l];
-    }
-    for (int k = i + 1; k <= last; ++k)
-    {
-      const double f = column[k];
-      for (int l = 0; l < Lanes; ++l)
-      {
-        sum[l] -= f * x[k * Lanes + l];
-      }
-    }
-    const double inverse = 1 / column[i];
-    for (int l = 0; l < Lanes; ++l)
-    {
-      x[i * Lanes + l] = sum[l] * inverse;
-    }
-  }
-}
-
-RECON_CLONES_FUSED double DotOf(const double* a, const double* b, int count)
-{
-  double sums[Lanes] = {};
-  int i = 0;
-  for (; i + Lanes <= count; i += Lanes)
-  {
-    for (int l = 0; l < Lanes; ++l)
-    {
-      sums[l] += a[i + l] * b[i + l];
-    }
-  }
-  double sum = 0;
-  for (; i < count; ++i)
-  {
-    sum += a[i] * b[i];
-  }
-  for (const double s : sums)
-  {
-    sum += s;
-  }
-  return sum;
 }
 }
 
@@ -185,48 +42,6 @@ public:
   /// The lower triangle of K on a set of ranks.
   void Fill(const InverseCholesky& self, const std::int32_t* set, int size);
 };
-
-namespace
-{
-/// One column of K from row j on; data holds the coordinates and the eight rows of l and q, each
-/// `size` long.
-RECON_CLONES_FUSED void FillColumn(
-  const double* data, int size, int j, double lambda, double* column)
-{
-  const double* x = data;
-  const double* y = data + size;
-  const double* z = data + 2 * static_cast<std::size_t>(size);
-  const double* l = data + 3 * static_cast<std::size_t>(size);
-  const double* q = data + 7 * static_cast<std::size_t>(size);
-  const double xj = x[j];
-  const double yj = y[j];
-  const double zj = z[j];
-  const double l0 = l[j];
-  const double l1 = l[j + size];
-  const double l2 = l[j + 2 * size];
-  const double l3 = l[j + 3 * size];
-  const double q0 = q[j];
-  const double q1 = q[j + size];
-  const double q2 = q[j + 2 * size];
-  const double q3 = q[j + 3 * size];
-  for (int i = j; i < size; ++i)
-  {
-    const double dx = x[i] - xj;
-    const double dy = y[i] - yj;
-    const double dz = z[i] - zj;
-    const double r2 = dx * dx + dy * dy + dz * dz;
-    const double li0 = l[i];
-    const double li1 = l[i + size];
-    const double li2 = l[i + 2 * size];
-    const double li3 = l[i + 3 * size];
-    const double mixed = li0 * q0 + li1 * q1 + li2 * q2 + li3 * q3 + q[i] * l0 + q[i + size] * l1 +
-      q[i + 2 * size] * l2 + q[i + 3 * size] * l3;
-    const double ll = li0 * l0 + li1 * l1 + li2 * l2 + li3 * l3;
-    column[i] = (r2 * std::sqrt(r2) - mixed) + lambda * ll;
-  }
-  column[j] += lambda;
-}
-}
 
 void InverseCholesky::Workspace::Fill(
   const InverseCholesky& self, const std::int32_t* set, int size)
@@ -248,7 +63,7 @@ void InverseCholesky::Workspace::Fill(
   }
   for (int j = 0; j < size; ++j)
   {
-    FillColumn(this->LQ.data(), size, j, self.Options.Lambda,
+    FillProjectedColumn(this->LQ.data(), size, j, self.Options.Lambda,
       this->Matrix.data() + static_cast<std::size_t>(j) * size);
   }
 }
@@ -454,29 +269,29 @@ void InverseCholesky::Factorise(int at, Workspace& work)
   const Group& group = this->Groups[at];
   const int size = group.SetSize;
   work.Fill(*this, this->Sets.data() + group.Set, size);
-  if (!Cholesky(work.Matrix.data(), size))
+  if (!FactoriseSmall(work.Matrix.data(), size))
   {
     this->FactoriseWide(at, work);
     return;
   }
   double* out = this->Entries.data() + group.Columns;
-  for (int from = 0; from < group.Members; from += Lanes)
+  for (int from = 0; from < group.Members; from += SolvedTogether)
   {
-    const int count = std::min(Lanes, group.Members - from);
+    const int count = std::min(SolvedTogether, group.Members - from);
     const std::int32_t* places = this->MemberAt.data() + group.Member + from;
     const int last = places[count - 1];
-    work.Right.assign(static_cast<std::size_t>(last + 1) * Lanes, 0);
+    work.Right.assign(static_cast<std::size_t>(last + 1) * SolvedTogether, 0);
     // Column i of U is L^-T e_i: below its own place a right-hand side stays 0.
     for (int l = 0; l < count; ++l)
     {
-      work.Right[static_cast<std::size_t>(places[l]) * Lanes + l] = 1;
+      work.Right[static_cast<std::size_t>(places[l]) * SolvedTogether + l] = 1;
     }
     SolveTransposed(work.Matrix.data(), size, last, work.Right.data());
     for (int l = 0; l < count; ++l)
     {
       for (int i = 0; i <= places[l]; ++i)
       {
-        *out++ = work.Right[static_cast<std::size_t>(i) * Lanes + l];
+        *out++ = work.Right[static_cast<std::size_t>(i) * SolvedTogether + l];
       }
     }
   }
@@ -594,7 +409,7 @@ std::vector<double> InverseCholesky::Apply(
         for (int m = 0; m < group.Members; ++m)
         {
           const int length = this->MemberAt[group.Member + m] + 1;
-          SubtractOne(out, column, -DotOf(column, r.data(), length), length);
+          SubtractColumn(out, column, -DotOf(column, r.data(), length), length);
           column += length;
         }
       }
@@ -639,12 +454,5 @@ std::array<double, 4> InverseCholesky::PolynomialThrough(
     }
   }
   return p;
-}
-
-double InverseCholesky::Gigabytes() const
-{
-  return 1e-9 *
-    (8.0 * static_cast<double>(this->Entries.size()) +
-      8.0 * static_cast<double>(this->Sets.size()) + 64.0 * static_cast<double>(this->L.size()));
 }
 }

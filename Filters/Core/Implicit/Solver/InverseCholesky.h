@@ -62,9 +62,6 @@ public:
   /// Coefficients (1, x, y, z) of the linear function that takes four values at the simplex.
   std::array<double, 4> PolynomialThrough(const std::array<double, 4>& atSimplex) const;
 
-  /// What it holds.
-  double Gigabytes() const;
-
 private:
   using Row = std::array<double, 4>;
 

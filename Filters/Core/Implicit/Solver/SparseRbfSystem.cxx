@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "Implicit/Solver/SparseRbfSystem.h"
 #include "Base/PointGrid.h"
-#include "Implicit/Solver/RbfSystem.h"
 
 #include <Eigen/SparseCholesky>
 

@@ -7,18 +7,13 @@
 #define recon_MeshCleanUp_h
 
 #include "Base/Monitor.h"
-#include "Mesh/TriangleMesh.h"
+#include "Implicit/ZeroSet/Remeshing.h"
 
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 namespace recon
 {
-/// Moves points onto the surface and gives the normals there; done[i] = 0 where it could not.
-using Projector = std::function<void(
-  std::vector<Point3>& points, std::vector<Vector3>& normals, std::vector<char>& done)>;
-
 struct CleanUpOptions
 {
   double EdgeLength = 1; ///< what edges should have (units of the input)
@@ -29,7 +24,6 @@ struct CleanUpOptions
 
 struct CleanUpResult
 {
-  double LeastAngle = 0; ///< degrees
   std::size_t Anchored = 0;
   std::int64_t Crossing = 0; ///< pairs of triangles that cross or overlap
 };
@@ -45,9 +39,6 @@ struct CleanUpResult
  */
 CleanUpResult CleanUp(TriangleMesh& mesh, std::vector<Vector3>& normals, const Projector& project,
   const CleanUpOptions& options, Monitor& monitor);
-
-/// The smallest angle of all triangles in degrees; 180 where there is none.
-double LeastAngle(const TriangleMesh& mesh);
 }
 
 #endif

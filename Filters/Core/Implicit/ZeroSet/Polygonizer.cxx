@@ -5,9 +5,11 @@
 #include "Base/PointGrid.h"
 #include "Base/SubMonitor.h"
 #include "Base/Text.h"
+#include "Implicit/ZeroSet/CubeCutter.h"
 #include "Implicit/ZeroSet/EdgeRoots.h"
 #include "Implicit/ZeroSet/MeshCleanUp.h"
 #include "Implicit/ZeroSet/SurfaceTracker.h"
+#include "Mesh/MassProperties.h"
 #include "Mesh/TriangleTree.h"
 
 #include <algorithm>
@@ -42,185 +44,6 @@ constexpr double PassedBy = 0.25;
 /// Steps to a cell in which a wall or gap is measured.
 constexpr int ThicknessSteps = 16;
 
-/// An edge of the lattice: its lesser corner and its direction, bits of (x, y, z) in 1..7.
-struct LatticeEdge
-{
-  LatticeIndex Corner;
-  int Direction;
-
-  LatticeIndex Far() const
-  {
-    return { this->Corner[0] + (this->Direction & 1),
-      this->Corner[1] + ((this->Direction >> 1) & 1),
-      this->Corner[2] + ((this->Direction >> 2) & 1) };
-  }
-  std::uint64_t Key() const
-  {
-    return Lattice::Key(this->Corner) | (static_cast<std::uint64_t>(this->Direction) << 60);
-  }
-};
-
-/**
- * A cube is cut into six tetrahedra along its main diagonal (Kuhn), the same way in all cubes, so
- * that neighbours agree on the diagonals of their faces. Corners are named by their bits; each
- * tetrahedron climbs from 0 to 7.
- */
-constexpr std::array<std::array<int, 4>, 6> Tetrahedra{ { { 0, 1, 3, 7 }, { 0, 1, 5, 7 },
-  { 0, 2, 3, 7 }, { 0, 2, 6, 7 }, { 0, 4, 5, 7 }, { 0, 4, 6, 7 } } };
-
-std::array<int, 3> Bits(int corner)
-{
-  return { corner & 1, (corner >> 1) & 1, (corner >> 2) & 1 };
-}
-
-/// A triangle as three pairs of cube corners, the first of each inside.
-using CutTriangle = std::array<std::array<int, 2>, 3>;
-
-/// Does the triangle through the edges' midpoints face away from the inside corner given? Integers,
-/// exact.
-bool FacesAway(const CutTriangle& t, int insideCorner)
-{
-  std::array<std::array<int, 3>, 3> p{};
-  for (int k = 0; k < 3; ++k)
-  {
-    for (int a = 0; a < 3; ++a)
-    {
-      p[k][a] = Bits(t[k][0])[a] + Bits(t[k][1])[a];
-    }
-  }
-  std::array<int, 3> u{};
-  std::array<int, 3> v{};
-  std::array<int, 3> w{};
-  for (int a = 0; a < 3; ++a)
-  {
-    u[a] = p[1][a] - p[0][a];
-    v[a] = p[2][a] - p[0][a];
-    w[a] = 2 * Bits(insideCorner)[a] - p[0][a];
-  }
-  const int det = w[0] * (u[1] * v[2] - u[2] * v[1]) + w[1] * (u[2] * v[0] - u[0] * v[2]) +
-    w[2] * (u[0] * v[1] - u[1] * v[0]);
-  return det < 0;
-}
-
-void AppendOriented(CutTriangle t, int insideCorner, std::vector<CutTriangle>& triangles)
-{
-  if (!FacesAway(t, insideCorner))
-  {
-    std::swap(t[1], t[2]);
-  }
-  triangles.push_back(t);
-}
-
-/// The one or two triangles that cut a tetrahedron's inside corners from its outside ones.
-void CutTetrahedron(
-  const std::array<int, 4>& corners, int insideMask, std::vector<CutTriangle>& triangles)
-{
-  std::vector<int> in;
-  std::vector<int> out;
-  for (int k = 0; k < 4; ++k)
-  {
-    (((insideMask >> corners[k]) & 1) ? in : out).push_back(corners[k]);
-  }
-  if (in.size() == 1)
-  {
-    AppendOriented(
-      { { { in[0], out[0] }, { in[0], out[1] }, { in[0], out[2] } } }, in[0], triangles);
-  }
-  else if (in.size() == 3)
-  {
-    AppendOriented(
-      { { { in[0], out[0] }, { in[1], out[0] }, { in[2], out[0] } } }, in[0], triangles);
-  }
-  else if (in.size() == 2)
-  {
-    // Round the quadrilateral: each edge shares a corner with the next.
-    AppendOriented(
-      { { { in[0], out[0] }, { in[0], out[1] }, { in[1], out[1] } } }, in[0], triangles);
-    AppendOriented(
-      { { { in[0], out[0] }, { in[1], out[1] }, { in[1], out[0] } } }, in[0], triangles);
-  }
-}
-
-/// The triangles of a cube for each of the 256 sets of inside corners.
-const std::array<std::vector<CutTriangle>, 256>& CutTable()
-{
-  static const std::array<std::vector<CutTriangle>, 256> table = []
-  {
-    std::array<std::vector<CutTriangle>, 256> cuts;
-    for (int mask = 0; mask < 256; ++mask)
-    {
-      for (const auto& tetrahedron : Tetrahedra)
-      {
-        CutTetrahedron(tetrahedron, mask, cuts[mask]);
-      }
-    }
-    return cuts;
-  }();
-  return table;
-}
-
-/// Collects the cut edges of all cubes, each once, and the triangles between them.
-class Marcher
-{
-public:
-  explicit Marcher(const SurfaceTracker& tracker) : Tracker(tracker)
-  {
-    this->Index.reserve(EdgesPerCube * tracker.Cubes().size());
-    for (const LatticeIndex& cube : tracker.Cubes())
-    {
-      this->March(cube);
-    }
-  }
-
-  const std::vector<LatticeEdge>& Edges() const { return this->CutEdges; }
-  std::vector<std::array<int, 3>>& Triangles() { return this->Cut; }
-
-private:
-  void March(const LatticeIndex& cube)
-  {
-    int mask = 0;
-    for (int c = 0; c < 8; ++c)
-    {
-      mask |= this->Tracker.ValueAt(this->Corner(cube, c)) > 0 ? 1 << c : 0;
-    }
-    for (const CutTriangle& t : CutTable()[mask])
-    {
-      std::array<int, 3> triangle{};
-      for (int k = 0; k < 3; ++k)
-      {
-        triangle[k] = this->PointOn(cube, std::min(t[k][0], t[k][1]), std::max(t[k][0], t[k][1]));
-      }
-      this->Cut.push_back(triangle);
-    }
-  }
-
-  static LatticeIndex Corner(const LatticeIndex& cube, int c)
-  {
-    return { cube[0] + (c & 1), cube[1] + ((c >> 1) & 1), cube[2] + ((c >> 2) & 1) };
-  }
-
-  /// Corners of a Kuhn tetrahedron are nested: the smaller's bits are among the larger's.
-  int PointOn(const LatticeIndex& cube, int small, int large)
-  {
-    const LatticeEdge edge{ Corner(cube, small), large ^ small };
-    const auto [place, isNew] =
-      this->Index.emplace(edge.Key(), static_cast<int>(this->CutEdges.size()));
-    if (isNew)
-    {
-      this->CutEdges.push_back(edge);
-    }
-    return place->second;
-  }
-
-  /// Cut edges a cube, about: room is made for them at once.
-  static constexpr std::size_t EdgesPerCube = 4;
-
-  const SurfaceTracker& Tracker;
-  std::vector<LatticeEdge> CutEdges;
-  std::vector<std::array<int, 3>> Cut;
-  std::unordered_map<std::uint64_t, int, LatticeHash> Index;
-};
-
 /// body(i) for all items, in pieces that threads share.
 template <typename Body>
 void ForAll(std::size_t items, int threads, const Body& body, Monitor& monitor)
@@ -240,12 +63,12 @@ void ForAll(std::size_t items, int threads, const Body& body, Monitor& monitor)
 }
 
 std::vector<CrossedEdge> CrossedEdgesOf(
-  const Marcher& marcher, const SurfaceTracker& tracker, int threads, Monitor& monitor)
+  const CubeCutter& cutter, const SurfaceTracker& tracker, int threads, Monitor& monitor)
 {
-  std::vector<CrossedEdge> crossed(marcher.Edges().size());
+  std::vector<CrossedEdge> crossed(cutter.Edges().size());
   const auto cross = [&](std::size_t i)
   {
-    const LatticeEdge& edge = marcher.Edges()[i];
+    const LatticeEdge& edge = cutter.Edges()[i];
     const LatticeIndex far = edge.Far();
     const double near = tracker.ValueAt(edge.Corner);
     const double other = tracker.ValueAt(far);
@@ -278,12 +101,12 @@ TriangleMesh Track(const BoundedField& field, const std::vector<Point3>& seeds, 
   SubMonitor tracking(monitor, 0, 0.5);
   const Lattice lattice(field.Box(), cellSize, field.Closed());
   const SurfaceTracker tracker(field, lattice, seeds, options.MaximumCells, tracking);
-  Marcher marcher(tracker);
+  CubeCutter cutter(tracker);
   SubMonitor rooting(monitor, 0.5, 1);
   TriangleMesh mesh;
-  mesh.Points = FindRoots(field, CrossedEdgesOf(marcher, tracker, options.Threads, monitor),
+  mesh.Points = FindRoots(field, CrossedEdgesOf(cutter, tracker, options.Threads, monitor),
     options.Tolerance * cellSize, rooting);
-  mesh.Triangles = std::move(marcher.Triangles());
+  mesh.Triangles = std::move(cutter.Triangles());
   return mesh;
 }
 
@@ -426,9 +249,10 @@ void CleanUpMesh(const BoundedField& field, const std::vector<Point3>& seeds,
     cleaning.Anchors = seeds;
   }
   const CleanUpResult cleaned = CleanUp(result.Mesh, result.Normals, project, cleaning, monitor);
-  if (cleaned.LeastAngle < PromisedAngle)
+  result.SmallestAngle = ComputeSmallestAngle(result.Mesh);
+  if (result.SmallestAngle < PromisedAngle)
   {
-    result.Report.push_back("A triangle's angle of " + Text(cleaned.LeastAngle) +
+    result.Report.push_back("A triangle's angle of " + Text(result.SmallestAngle) +
       " degrees could not be mended without moving the surface.");
   }
   if (cleaned.Crossing > 0)
@@ -609,7 +433,10 @@ ImplicitMesh Polygonize(const ImplicitFunction& function, const std::vector<Poin
     SubMonitor cleaning(monitor, 0.6, 1);
     CleanUpMesh(field, seeds, options, result, cleaning);
   }
-  result.LeastAngle = LeastAngle(result.Mesh);
+  else
+  {
+    result.SmallestAngle = ComputeSmallestAngle(result.Mesh);
+  }
   monitor.Update(1, "cleaning up the mesh");
   return result;
 }

@@ -56,9 +56,9 @@ struct ImplicitMesh
 {
   TriangleMesh Mesh;
   std::vector<Vector3>
-    Normals;             ///< at the points, out of the solid, unit: the function's own gradient
-  double CellSize = 0;   ///< the one that was used
-  double LeastAngle = 0; ///< of all triangles, degrees
+    Normals;                ///< at the points, out of the solid, unit: the function's own gradient
+  double CellSize = 0;      ///< the one that was used
+  double SmallestAngle = 0; ///< of all triangles, degrees
   std::vector<std::string> Report;
 };
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "Implicit/Solver/IterativeRbfSystem.h"
+#include "Implicit/Solver/IterativeSolver.h"
 
-#include "Base/Parallel.h"
 #include "Base/SubMonitor.h"
 #include "Implicit/FastMultipole/DirectSums.h"
 #include "Implicit/FastMultipole/FastKernelSum.h"
@@ -162,18 +161,7 @@ private:
 
   Vector Exact(const Vector& w, Monitor& monitor) const
   {
-    constexpr std::size_t PointsPerPiece = 64;
-    const std::size_t n = this->Centres.size();
-    Vector sums(n);
-    ParallelFor(static_cast<int>((n + PointsPerPiece - 1) / PointsPerPiece), this->Threads,
-      [&](int piece)
-      {
-        const std::size_t from = static_cast<std::size_t>(piece) * PointsPerPiece;
-        SumKernels(Kernel{}, this->Centres, w, this->Centres.data() + from,
-          std::min(PointsPerPiece, n - from), sums.data() + from);
-      },
-      monitor, { 0, 1, "solving for the weights" });
-    return sums;
+    return SumAllKernels(Kernel{}, this->Centres, w, this->Centres, this->Threads, monitor);
   }
 
   const std::vector<Point3>& Centres;

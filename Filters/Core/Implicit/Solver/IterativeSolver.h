@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
- * @file IterativeRbfSystem.h
+ * @file IterativeSolver.h
  * @brief Equation 8.4 of the thesis for as many constraints as there are, by conjugate gradients.
  *
  * Notation: as in RbfSystem.h and InverseCholesky.h. Conjugate gradients run on E^T Phi E, which is
  * positive definite; the weights stay orthogonal to the linear polynomials throughout.
  */
-#ifndef recon_IterativeRbfSystem_h
-#define recon_IterativeRbfSystem_h
+#ifndef recon_IterativeSolver_h
+#define recon_IterativeSolver_h
 
 #include "Implicit/Solver/RbfSystem.h"
 

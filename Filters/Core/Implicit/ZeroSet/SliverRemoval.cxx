@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Implicit/ZeroSet/SliverRemoval.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <tuple>
+
+namespace recon
+{
+namespace
+{
+constexpr double Pi = 3.14159265358979323846;
+/// A needle that can neither be flipped nor collapsed, as its short edge is the waist of a neck,
+/// has an end of that edge moved along the surface: by so many edge lengths, in so many directions.
+constexpr double Shifts[] = { 0.02, 0.04, 0.08, 0.16 };
+constexpr int ShiftDirections = 8;
+constexpr int MaximumShiftPasses = 4;
+constexpr int MaximumSliverPasses = 12;
+
+/// One try at each sliver: the diagonal across it, or its shortest edge away.
+std::size_t MendSlivers(Remesher& remesher, double angle, const Agreement& agreement)
+{
+  const EditableMesh& mesh = remesher.Edited;
+  std::size_t mended = 0;
+  for (std::size_t t = 0; t < mesh.T.size(); ++t)
+  {
+    if (mesh.T[t][0] < 0 || mesh.AngleOf(mesh.T[t]) >= angle)
+    {
+      continue;
+    }
+    std::array<std::tuple<double, int, int>, 3> edges;
+    for (int k = 0; k < 3; ++k)
+    {
+      const int u = mesh.T[t][k];
+      const int v = mesh.T[t][(k + 1) % 3];
+      edges[k] = { Norm(mesh.P[v] - mesh.P[u]), u, v };
+    }
+    std::sort(edges.begin(), edges.end());
+    const auto [longest, a, b] = edges[2];
+    bool changed = remesher.Flip(a, b, agreement);
+    for (int k = 0; k < 3 && !changed; ++k)
+    {
+      changed = remesher.Collapse(std::get<1>(edges[k]), std::get<2>(edges[k]), agreement);
+    }
+    mended += changed ? 1 : 0;
+  }
+  return mended;
+}
+
+/// Places along the surface that a vertex may be moved to.
+struct ShiftedVertices
+{
+  std::vector<int> Vertices;
+  std::vector<Point3> Points;
+  std::vector<Vector3> Normals;
+  std::vector<char> Done;
+
+  void Add(const EditableMesh& mesh, int v, double edgeLength)
+  {
+    const Vector3& n = mesh.N[v];
+    const int least = std::abs(n[0]) < std::abs(n[1]) ? (std::abs(n[0]) < std::abs(n[2]) ? 0 : 2)
+                                                      : (std::abs(n[1]) < std::abs(n[2]) ? 1 : 2);
+    Vector3 axis{ 0, 0, 0 };
+    axis[least] = 1;
+    const Vector3 u = (1 / Norm(Cross(axis, n))) * Cross(axis, n);
+    const Vector3 w = Cross(n, u);
+    for (const double shift : Shifts)
+    {
+      for (int k = 0; k < ShiftDirections; ++k)
+      {
+        const double angle = 2 * Pi * k / ShiftDirections;
+        this->Vertices.push_back(v);
+        this->Points.push_back(mesh.P[v] + (shift * edgeLength * std::cos(angle)) * u +
+          (shift * edgeLength * std::sin(angle)) * w);
+      }
+    }
+  }
+};
+
+/// Moves the ends of needles' short edges to where the least angle around them is largest.
+std::size_t ShiftNeedles(Remesher& remesher, const Projector& project)
+{
+  const EditableMesh& mesh = remesher.Edited;
+  ShiftedVertices shifted;
+  for (const EditableMesh::Triangle& t : mesh.T)
+  {
+    if (t[0] < 0 || mesh.AngleOf(t) >= NeedleAngle * Pi / 180)
+    {
+      continue;
+    }
+    for (const int v : t)
+    {
+      if (!mesh.Border[v] && !mesh.Pinned[v] && Norm(mesh.N[v]) > 0.5)
+      {
+        shifted.Add(mesh, v, remesher.EdgeLength);
+      }
+    }
+  }
+  if (shifted.Points.empty())
+  {
+    return 0;
+  }
+  project(shifted.Points, shifted.Normals, shifted.Done);
+  std::size_t moved = 0;
+  const std::size_t many = ShiftDirections * std::size(Shifts);
+  for (std::size_t from = 0; from < shifted.Points.size(); from += many)
+  {
+    const int v = shifted.Vertices[from];
+    const double before = remesher.QualityAround(v, WithItself);
+    if (before >= NeedleAngle * Pi / 180)
+    {
+      continue;
+    }
+    std::vector<std::pair<double, std::size_t>> better;
+    for (std::size_t i = from; i < from + many; ++i)
+    {
+      const double quality = shifted.Done[i] ? remesher.QualityOfMove(v, shifted.Points[i]) : -1;
+      if (quality > before)
+      {
+        better.emplace_back(-quality, i);
+      }
+    }
+    std::sort(better.begin(), better.end());
+    // The best one where nothing crosses.
+    moved += std::any_of(better.begin(), better.end(),
+               [&](const auto& place)
+               {
+                 const std::size_t i = place.second;
+                 return remesher.Move(v, shifted.Points[i], shifted.Normals[i], true);
+               })
+      ? 1
+      : 0;
+  }
+  return moved;
+}
+}
+
+void RemoveSlivers(Remesher& remesher, const Projector& project)
+{
+  for (int pass = 0; pass < MaximumSliverPasses; ++pass)
+  {
+    const Agreement& agreement = pass < MaximumSliverPasses / 2 ? Usual : LastResort;
+    if (MendSlivers(remesher, SliverAngle * Pi / 180, agreement) == 0 && pass > 0)
+    {
+      break;
+    }
+    remesher.FlipEdges();
+    if (pass % 3 == 2)
+    {
+      remesher.Spread(project);
+    }
+  }
+  for (int pass = 0; pass < MaximumSliverPasses; ++pass)
+  {
+    if (MendSlivers(remesher, NeedleAngle * Pi / 180, WithItself) == 0)
+    {
+      break;
+    }
+  }
+  for (int pass = 0; pass < MaximumShiftPasses; ++pass)
+  {
+    if (ShiftNeedles(remesher, project) == 0)
+    {
+      break;
+    }
+    MendSlivers(remesher, NeedleAngle * Pi / 180, WithItself);
+  }
+}
+}
