@@ -2,14 +2,14 @@
 #include "ContourConversion.h"
 
 #include "Base/Monitor.h"
+#include "FieldArrays.h"
+#include "SurfaceTest.h"
 
-#include "vtkAlgorithm.h"
+#include "vtkAbstractArray.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
-#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
-#include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -103,23 +103,6 @@ void AppendVertices(vtkCellArray* cells, int& source, LoopSoup& soup)
   }
 }
 
-vtkSmartPointer<vtkIntArray> MakeIntArray(const char* name, vtkIdType count)
-{
-  auto array = vtkSmartPointer<vtkIntArray>::New();
-  array->SetName(name);
-  array->SetNumberOfTuples(count);
-  return array;
-}
-
-vtkSmartPointer<vtkDoubleArray> MakeDoubleArray(const char* name, int components, vtkIdType count)
-{
-  auto array = vtkSmartPointer<vtkDoubleArray>::New();
-  array->SetName(name);
-  array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(count);
-  return array;
-}
-
 vtkSmartPointer<vtkPoints> MakePoints(const std::vector<Point3>& from)
 {
   auto points = vtkSmartPointer<vtkPoints>::New();
@@ -132,51 +115,32 @@ vtkSmartPointer<vtkPoints> MakePoints(const std::vector<Point3>& from)
   return points;
 }
 
-void AddContourArrays(const ContourSet& set, vtkPolyData* output)
+/// A cell array of what a function says of every contour.
+template <typename Getter>
+void AddContourArray(
+  const ContourSet& set, const char* name, const Getter& valueOf, vtkPolyData* output)
 {
-  const auto count = static_cast<vtkIdType>(set.Contours.size());
-  const auto level = MakeIntArray("Level", count);
-  const auto id = MakeIntArray("ContourId", count);
-  const auto depth = MakeIntArray("Depth", count);
-  const auto parent = MakeIntArray("Parent", count);
-  const auto area = MakeDoubleArray("SignedArea", 1, count);
-  for (vtkIdType c = 0; c < count; ++c)
+  std::vector<decltype(valueOf(set.Contours.front()))> values;
+  for (const Contour& contour : set.Contours)
   {
-    const Contour& contour = set.Contours[static_cast<std::size_t>(c)];
-    level->SetValue(c, contour.Level);
-    id->SetValue(c, static_cast<int>(c));
-    depth->SetValue(c, contour.Depth);
-    parent->SetValue(c, contour.Parent);
-    area->SetValue(c, contour.SignedArea);
+    values.push_back(valueOf(contour));
   }
-  vtkCellData* data = output->GetCellData();
-  data->AddArray(level);
-  data->AddArray(id);
-  data->AddArray(depth);
-  data->AddArray(parent);
-  data->AddArray(area);
+  AddArray(output->GetCellData(), name, values);
 }
 
-void AddLevelArrays(const ContourSet& set, vtkPolyData* output)
+void AddContourArrays(const ContourSet& set, vtkPolyData* output)
 {
-  const auto count = static_cast<vtkIdType>(set.Levels.size());
-  const auto normal = MakeDoubleArray("LevelNormal", 3, count);
-  const auto offset = MakeDoubleArray("LevelOffset", 1, count);
-  for (vtkIdType l = 0; l < count; ++l)
-  {
-    const Level& level = set.Levels[static_cast<std::size_t>(l)];
-    normal->SetTypedTuple(l, level.Frame.Normal.data());
-    offset->SetValue(l, level.Offset);
-  }
-  output->GetFieldData()->AddArray(normal);
-  output->GetFieldData()->AddArray(offset);
-  vtkNew<vtkStringArray> holes;
-  holes->SetName("LevelHoleRule");
-  for (const Level& level : set.Levels)
-  {
-    holes->InsertNextValue(level.HoleNote);
-  }
-  output->GetFieldData()->AddArray(holes);
+  int id = 0;
+  AddContourArray(
+    set, "Level", [](const Contour& c) { return c.Level; }, output);
+  AddContourArray(
+    set, "ContourId", [&id](const Contour&) { return id++; }, output);
+  AddContourArray(
+    set, "Depth", [](const Contour& c) { return c.Depth; }, output);
+  AddContourArray(
+    set, "Parent", [](const Contour& c) { return c.Parent; }, output);
+  AddContourArray(
+    set, "SignedArea", [](const Contour& c) { return c.SignedArea; }, output);
 }
 }
 
@@ -202,12 +166,25 @@ ConvertedLoops ToLoopSoup(vtkPolyData* input)
   }
   if (loops.Soup.Chains.empty())
   {
-    throw Error(strips > 0 ? "The input has triangle strips only: give contours as polylines, "
-                             "polygons or line segments."
+    throw Error(strips > 0 ? SurfaceSentence
                            : "The input has points but no cells: give contours as polylines, "
                              "polygons or line segments.");
   }
   return loops;
+}
+
+ContourSet ReadContours(vtkPolyData* input, const ContourSetOptions& options, Monitor& monitor)
+{
+  const ConvertedLoops loops = ToLoopSoup(input);
+  if (IsSurface(input))
+  {
+    throw Error(SurfaceSentence);
+  }
+  ContourSet contours = BuildContourSet(loops.Soup, options, monitor);
+  std::vector<std::string> report = GetReport(input);
+  report.insert(report.end(), loops.Report.begin(), loops.Report.end());
+  contours.Report.insert(contours.Report.begin(), report.begin(), report.end());
+  return contours;
 }
 
 std::vector<int> ToPolyData(const LoopSoup& soup, vtkPolyData* output)
@@ -241,7 +218,7 @@ std::vector<int> ToPolyData(const LoopSoup& soup, vtkPolyData* output)
   return chains;
 }
 
-void ToPolyData(const ContourSet& set, const std::vector<std::string>& report, vtkPolyData* output)
+void ToPolyData(const ContourSet& set, vtkPolyData* output)
 {
   output->Initialize();
   output->SetPoints(MakePoints(set.Points));
@@ -257,10 +234,49 @@ void ToPolyData(const ContourSet& set, const std::vector<std::string>& report, v
   }
   output->SetLines(lines);
   AddContourArrays(set, output);
-  AddLevelArrays(set, output);
-  std::vector<std::string> sentences = report;
-  sentences.insert(sentences.end(), set.Report.begin(), set.Report.end());
-  SetReport(sentences, output);
+  AddLevels(set, output);
+  std::vector<std::string> holes;
+  for (const Level& level : set.Levels)
+  {
+    holes.push_back(level.HoleNote);
+  }
+  AddArray(output->GetFieldData(), "LevelHoleRule", holes);
+}
+
+void PassCellData(const ContourSet& set, vtkPolyData* input, vtkPolyData* output)
+{
+  vtkCellData* from = input->GetCellData();
+  vtkCellData* to = output->GetCellData();
+  for (int a = 0; a < from->GetNumberOfArrays(); ++a)
+  {
+    vtkAbstractArray* array = from->GetAbstractArray(a);
+    if (!array->GetName() || to->HasArray(array->GetName()))
+    {
+      continue;
+    }
+    const auto copy = vtk::TakeSmartPointer(array->NewInstance());
+    copy->SetName(array->GetName());
+    copy->SetNumberOfComponents(array->GetNumberOfComponents());
+    copy->SetNumberOfTuples(static_cast<vtkIdType>(set.Contours.size()));
+    for (std::size_t c = 0; c < set.Contours.size(); ++c)
+    {
+      copy->SetTuple(static_cast<vtkIdType>(c), set.Contours[c].Source, array);
+    }
+    to->AddArray(copy);
+  }
+}
+
+void AddLevels(const ContourSet& set, vtkDataObject* output)
+{
+  std::vector<Vector3> normals;
+  std::vector<double> offsets;
+  for (const Level& level : set.Levels)
+  {
+    normals.push_back(level.Frame.Normal);
+    offsets.push_back(level.Offset);
+  }
+  AddArray(output->GetFieldData(), "LevelNormal", normals);
+  AddArray(output->GetFieldData(), "LevelOffset", offsets);
 }
 
 void ToPolyData(const TriangleMesh& mesh, vtkPolyData* output)
@@ -313,18 +329,10 @@ TriangleMesh ToTriangleMesh(vtkPolyData* input)
 void SetReport(const std::vector<std::string>& lines, vtkDataObject* data)
 {
   data->GetFieldData()->RemoveArray("Report");
-  if (lines.empty())
+  if (!lines.empty())
   {
-    return;
+    AddArray(data->GetFieldData(), "Report", lines);
   }
-  vtkNew<vtkStringArray> array;
-  array->SetName("Report");
-  array->SetNumberOfValues(static_cast<vtkIdType>(lines.size()));
-  for (std::size_t i = 0; i < lines.size(); ++i)
-  {
-    array->SetValue(static_cast<vtkIdType>(i), lines[i]);
-  }
-  data->GetFieldData()->AddArray(array);
 }
 
 std::vector<std::string> GetReport(vtkDataObject* data)
@@ -339,33 +347,10 @@ std::vector<std::string> GetReport(vtkDataObject* data)
   return lines;
 }
 
-bool PassPoints(vtkAlgorithm* filter, vtkPolyData* input, vtkDataObject* output)
+std::vector<std::string> JoinReports(vtkDataObject* input, const std::vector<std::string>& lines)
 {
-  auto* types =
-    vtkStringArray::SafeDownCast(input->GetCellData()->GetAbstractArray("GeometricType"));
-  if (!types || input->GetNumberOfCells() == 0 ||
-    input->GetNumberOfCells() != input->GetNumberOfVerts() ||
-    types->GetNumberOfValues() != input->GetNumberOfCells())
-  {
-    return false;
-  }
-  for (vtkIdType i = 0; i < types->GetNumberOfValues(); ++i)
-  {
-    if (types->GetValue(i) != "POINT")
-    {
-      return false;
-    }
-  }
-  auto* names = vtkStringArray::SafeDownCast(input->GetFieldData()->GetAbstractArray("ROIName"));
-  const std::string name = names && names->GetNumberOfValues() > 0
-    ? "Region \"" + std::string(names->GetValue(0)) + "\""
-    : std::string("The region");
-  const std::string sentence = name + " is points only, without a contour: nothing is made of it.";
-  output->GetFieldData()->PassData(input->GetFieldData());
-  std::vector<std::string> report = GetReport(input);
-  report.push_back(sentence);
-  SetReport(report, output);
-  vtkWarningWithObjectMacro(filter, << sentence);
-  return true;
+  std::vector<std::string> joined = GetReport(input);
+  joined.insert(joined.end(), lines.begin(), lines.end());
+  return joined;
 }
 }

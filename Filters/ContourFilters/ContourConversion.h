@@ -11,13 +11,12 @@
 #define ContourConversion_h
 
 #include "ContourFiltersModule.h" // for export macro
-#include "Contours/ContourSet.h"
+#include "Contours/ContourSetBuilder.h"
 #include "Mesh/TriangleMesh.h"
 
 #include <string>
 #include <vector>
 
-class vtkAlgorithm;
 class vtkDataObject;
 class vtkPolyData;
 
@@ -43,6 +42,16 @@ struct ConvertedLoops
 [[nodiscard]] CONTOURFILTERS_EXPORT ConvertedLoops ToLoopSoup(vtkPolyData* input);
 
 /**
+ * The one way from poly data to a contour set. What the input's own `Report` says, and what
+ * ToLoopSoup left aside, comes first in the set's Report, so that nothing is forgotten that an
+ * earlier filter left out.
+ *
+ * @throws Error where there are no contours, also for a surface; Aborted
+ */
+[[nodiscard]] CONTOURFILTERS_EXPORT ContourSet ReadContours(
+  vtkPolyData* input, const ContourSetOptions& options, Monitor& monitor);
+
+/**
  * Contours as a file has them: closed chains become polylines, last point id = first, open ones
  * polylines, single points vertices. Attributes are the caller's.
  *
@@ -53,12 +62,16 @@ CONTOURFILTERS_EXPORT std::vector<int> ToPolyData(const LoopSoup& soup, vtkPolyD
 /**
  * Closed polylines, last point id = first, with cell arrays `Level`, `ContourId`, `Depth`, `Parent`
  * (ContourId or -1), `SignedArea`, and field data `LevelNormal` (3 components), `LevelOffset`,
- * `LevelHoleRule` (a sentence a level), `Report`.
- *
- * @param report sentences that go before those of the set
+ * `LevelHoleRule` (a sentence a level).
  */
-CONTOURFILTERS_EXPORT void ToPolyData(
-  const ContourSet& set, const std::vector<std::string>& report, vtkPolyData* output);
+CONTOURFILTERS_EXPORT void ToPolyData(const ContourSet& set, vtkPolyData* output);
+
+/// Cell arrays of the input, for the cell that each contour came from; own arrays are not replaced.
+CONTOURFILTERS_EXPORT void PassCellData(
+  const ContourSet& set, vtkPolyData* input, vtkPolyData* output);
+
+/// Field data `LevelNormal` (three components) and `LevelOffset`: a tuple and a value a level.
+CONTOURFILTERS_EXPORT void AddLevels(const ContourSet& set, vtkDataObject* output);
 
 /// Triangles, with double precision points; attributes are the caller's.
 CONTOURFILTERS_EXPORT void ToPolyData(const TriangleMesh& mesh, vtkPolyData* output);
@@ -75,17 +88,12 @@ CONTOURFILTERS_EXPORT void ToPolyData(const TriangleMesh& mesh, vtkPolyData* out
 /// lines.
 CONTOURFILTERS_EXPORT void SetReport(const std::vector<std::string>& lines, vtkDataObject* data);
 
-/**
- * Whether the input is a region of interest of a structure set that is points only (a marker, an
- * isocentre): vertices of `GeometricType` POINT and nothing else. It has no contours, and must not
- * stop the regions that have: the output is left empty, with the field data of the input, and the
- * filter warns in one sentence. Vertices of other origin stay an error.
- */
-[[nodiscard]] CONTOURFILTERS_EXPORT bool PassPoints(
-  vtkAlgorithm* filter, vtkPolyData* input, vtkDataObject* output);
-
 /// What SetReport wrote; empty where there is none.
 [[nodiscard]] CONTOURFILTERS_EXPORT std::vector<std::string> GetReport(vtkDataObject* data);
+
+/// The Report of the input, then these lines.
+[[nodiscard]] CONTOURFILTERS_EXPORT std::vector<std::string> JoinReports(
+  vtkDataObject* input, const std::vector<std::string>& lines);
 }
 
 #endif

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "JoinTable.h"
 
-#include "vtkDoubleArray.h"
-#include "vtkIntArray.h"
-#include "vtkNew.h"
-#include "vtkStringArray.h"
+#include "FieldArrays.h"
+
+#include "vtkDataSetAttributes.h"
 #include "vtkTable.h"
 #include "vtkVariant.h"
 
@@ -13,7 +12,7 @@
 #include <limits>
 #include <optional>
 #include <string>
-#include <type_traits>
+#include <vector>
 
 namespace recon
 {
@@ -73,20 +72,6 @@ std::string RuleOf(const ContourJoin& join)
   }
   return {};
 }
-
-/// A column that is filled by a function of the join.
-template <typename Array, typename Value>
-void AddColumn(const ContourMapping& mapping, vtkTable* table, const char* name, Value valueOf)
-{
-  vtkNew<Array> array;
-  array->SetName(name);
-  array->SetNumberOfValues(static_cast<vtkIdType>(mapping.Joins.size()));
-  for (std::size_t j = 0; j < mapping.Joins.size(); ++j)
-  {
-    array->SetValue(static_cast<vtkIdType>(j), valueOf(mapping.Joins[j]));
-  }
-  table->AddColumn(array);
-}
 }
 
 void ReadJoinOverrides(vtkTable* table, ContourMappingOptions& options)
@@ -119,21 +104,14 @@ void ReadJoinOverrides(vtkTable* table, ContourMappingOptions& options)
 
 void WriteJoins(const ContourMapping& mapping, vtkTable* table)
 {
-  const auto add = [&](const char* name, auto valueOf)
+  const auto add = [&](const char* name, const auto& valueOf)
   {
-    using Value = decltype(valueOf(mapping.Joins.front()));
-    if constexpr (std::is_same_v<Value, int>)
+    std::vector<decltype(valueOf(mapping.Joins.front()))> values;
+    for (const ContourJoin& join : mapping.Joins)
     {
-      AddColumn<vtkIntArray>(mapping, table, name, valueOf);
+      values.push_back(valueOf(join));
     }
-    else if constexpr (std::is_same_v<Value, double>)
-    {
-      AddColumn<vtkDoubleArray>(mapping, table, name, valueOf);
-    }
-    else
-    {
-      AddColumn<vtkStringArray>(mapping, table, name, valueOf);
-    }
+    AddArray(table->GetRowData(), name, values);
   };
   const auto isSolid = [&](const ContourJoin& join)
   {

@@ -32,13 +32,13 @@
 #define vtkContourHierarchy_h
 
 #include "ContourFiltersModule.h" // for export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkContourSetAlgorithm.h"
 
-class CONTOURFILTERS_EXPORT vtkContourHierarchy : public vtkPolyDataAlgorithm
+class CONTOURFILTERS_EXPORT vtkContourHierarchy : public vtkContourSetAlgorithm
 {
 public:
   static vtkContourHierarchy* New();
-  vtkTypeMacro(vtkContourHierarchy, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkContourHierarchy, vtkContourSetAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -49,44 +49,6 @@ public:
   vtkSetMacro(ParallelPlanesOnly, bool);
   vtkGetMacro(ParallelPlanesOnly, bool);
   vtkBooleanMacro(ParallelPlanesOnly, bool);
-  ///@}
-
-  enum HoleRuleType
-  {
-    Automatic = 0,
-    EvenOdd = 1,
-    Winding = 2,
-    Keyhole = 3
-  };
-
-  ///@{
-  /**
-   * Which contours of a plane are walls of holes.
-   *
-   * - Automatic, the default: even-odd on every plane. It is right for holes that are drawn in
-   *   either direction, for CLOSEDPLANAR_XOR contours and for keyholes, whatever mixture of them a
-   *   file has; directions are not trusted, since most systems store them at random.
-   * - EvenOdd: a place inside an odd number of contours is solid.
-   * - Winding: a place that the contours wind around, in the direction in which they are given, is
-   *   solid (nonzero rule): contours within contours of the same direction are no holes, and
-   *   contours of the same direction that overlap are united. The direction of loose segments is
-   *   that of the first of a chain.
-   * - Keyhole, DICOM's own reading of CLOSED_PLANAR: every contour is solid, holes are only those
-   *   that a contour itself walks around by a bridge, and the contours of a plane are united.
-   *
-   * Planes with CLOSEDPLANAR_XOR contours (cell array `GeometricType`) go by even-odd always.
-   */
-  vtkSetClampMacro(HoleRule, int, Automatic, Keyhole);
-  vtkGetMacro(HoleRule, int);
-  ///@}
-
-  ///@{
-  /**
-   * Points nearer to a plane than this fraction of the bounding box's diagonal lie in it; loose
-   * ends nearer to each other than that are joined. 1e-5 by default.
-   */
-  vtkSetClampMacro(PlaneTolerance, double, 0.0, 0.1);
-  vtkGetMacro(PlaneTolerance, double);
   ///@}
 
 protected:
@@ -101,8 +63,6 @@ private:
   void operator=(const vtkContourHierarchy&) = delete;
 
   bool ParallelPlanesOnly = false;
-  int HoleRule = Automatic;
-  double PlaneTolerance = 1e-5;
 };
 
 #endif

@@ -3,16 +3,14 @@
 
 #include "ContourConversion.h"
 #include "Contours/ContourMapping.h"
-#include "Contours/ContourSetBuilder.h"
-#include "InputArrays.h"
+#include "FieldArrays.h"
 #include "JoinTable.h"
+#include "RunCore.h"
 #include "vtkContourMonitor.h"
 
 #include "vtkCellData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkIntArray.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkTable.h"
@@ -23,27 +21,35 @@ namespace
 {
 void AddGroups(const recon::ContourMapping& mapping, std::size_t contours, vtkPolyData* output)
 {
-  vtkNew<vtkIntArray> below;
-  below->SetName("MappingGroupBelow");
-  vtkNew<vtkIntArray> above;
-  above->SetName("MappingGroupAbove");
-  for (auto* array : { below.Get(), above.Get() })
+  std::vector<int> below(contours, -1);
+  std::vector<int> above(contours, -1);
+  int number = 0;
+  for (const recon::MappingGroup& group : mapping.Groups)
   {
-    array->SetNumberOfValues(static_cast<vtkIdType>(contours));
-    array->FillValue(-1);
-    output->GetCellData()->AddArray(array);
-  }
-  for (std::size_t g = 0; g < mapping.Groups.size(); ++g)
-  {
-    for (int c : mapping.Groups[g].LowerContours)
+    for (const int c : group.LowerContours)
     {
-      above->SetValue(c, static_cast<int>(g));
+      above[c] = number;
     }
-    for (int c : mapping.Groups[g].UpperContours)
+    for (const int c : group.UpperContours)
     {
-      below->SetValue(c, static_cast<int>(g));
+      below[c] = number;
     }
+    ++number;
   }
+  recon::AddArray(output->GetCellData(), "MappingGroupBelow", below);
+  recon::AddArray(output->GetCellData(), "MappingGroupAbove", above);
+}
+
+void FillOutputs(const recon::ContourSet& set, const recon::ContourMapping& mapping,
+  vtkPolyData* input, vtkPolyData* output, vtkTable* joins)
+{
+  recon::ToPolyData(set, output);
+  AddGroups(mapping, set.Contours.size(), output);
+  recon::PassCellData(set, input, output);
+  std::vector<std::string> report = set.Report;
+  report.insert(report.end(), mapping.Report.begin(), mapping.Report.end());
+  recon::FinishOutput(input, report, output);
+  recon::WriteJoins(mapping, joins);
 }
 }
 
@@ -106,66 +112,25 @@ int vtkContourMapping::RequestData(
   vtkTable* overrides = vtkTable::GetData(inputVector[1]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   vtkTable* joins = vtkTable::GetData(outputVector, 1);
-  if (!input || !output || !joins)
-  {
-    vtkErrorMacro("Contour Mapping needs contours as poly data: connect Contour Hierarchy.");
-    return 0;
-  }
-  if (input->GetNumberOfCells() == 0)
-  {
-    recon::PassInputFieldData(input, output);
-    recon::WriteJoins({}, joins);
-    return 1;
-  }
-  if (recon::PassPoints(this, input, output))
-  {
-    recon::WriteJoins({}, joins);
-    return 1;
-  }
-  try
-  {
-    recon::ContourMappingOptions options;
-    options.OverlapThreshold = this->OverlapThreshold;
-    options.MaximumGap = this->MaximumGap;
-    options.ForcedJoins = this->ForcedJoins;
-    options.ForbiddenJoins = this->ForbiddenJoins;
-    options.Threads = this->Threads;
-    if (overrides)
+  recon::WriteJoins({}, joins); // an empty table has its columns
+  return recon::RunCore(this, input, recon::NeedsContours, { output, joins },
+    [&]
     {
-      recon::ReadJoinOverrides(overrides, options);
-    }
-    const recon::ConvertedLoops loops = recon::ToLoopSoup(input);
-    vtkContourMonitor cleaning(this, 0.0, 0.3);
-    const recon::ContourSet set =
-      recon::BuildContourSet(loops.Soup, recon::ContourSetOptions(), cleaning);
-    vtkContourMonitor monitor(this, 0.3, 1.0);
-    const recon::ContourMapping mapping = recon::BuildContourMapping(set, options, monitor);
-
-    std::vector<std::string> report = recon::GetReport(input);
-    report.insert(report.end(), loops.Report.begin(), loops.Report.end());
-    recon::ToPolyData(set, report, output);
-    report = recon::GetReport(output);
-    report.insert(report.end(), mapping.Report.begin(), mapping.Report.end());
-    recon::SetReport(report, output);
-    AddGroups(mapping, set.Contours.size(), output);
-    recon::PassCellData(set, input, output);
-    recon::PassInputFieldData(input, output);
-    recon::WriteJoins(mapping, joins);
-    return 1;
-  }
-  catch (const recon::Aborted&)
-  {
-    output->Initialize();
-    joins->Initialize();
-    return 1;
-  }
-  catch (const std::exception& error)
-  {
-    output->Initialize();
-    joins->Initialize();
-    vtkErrorMacro(<< error.what());
-    return 0;
-  }
+      recon::ContourMappingOptions options;
+      options.OverlapThreshold = this->OverlapThreshold;
+      options.MaximumGap = this->MaximumGap;
+      options.ForcedJoins = this->ForcedJoins;
+      options.ForbiddenJoins = this->ForbiddenJoins;
+      options.Threads = this->Threads;
+      if (overrides)
+      {
+        recon::ReadJoinOverrides(overrides, options);
+      }
+      vtkContourMonitor cleaning(this, 0.0, 0.3);
+      const recon::ContourSet set = this->ReadContours(input, true, cleaning);
+      vtkContourMonitor mapping(this, 0.3, 1.0);
+      FillOutputs(set, recon::BuildContourMapping(set, options, mapping), input, output, joins);
+    });
 }
 
 void vtkContourMapping::PrintSelf(ostream& os, vtkIndent indent)

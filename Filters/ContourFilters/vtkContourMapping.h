@@ -35,16 +35,16 @@
 #define vtkContourMapping_h
 
 #include "ContourFiltersModule.h" // for export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkContourSetAlgorithm.h"
 
 #include <utility> // for std::pair
 #include <vector>  // for std::vector
 
-class CONTOURFILTERS_EXPORT vtkContourMapping : public vtkPolyDataAlgorithm
+class CONTOURFILTERS_EXPORT vtkContourMapping : public vtkContourSetAlgorithm
 {
 public:
   static vtkContourMapping* New();
-  vtkTypeMacro(vtkContourMapping, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkContourMapping, vtkContourSetAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// The table of overrides; optional.

@@ -2,8 +2,9 @@
 #include "vtkSurfaceCertificate.h"
 
 #include "ContourConversion.h"
-#include "Contours/ContourSetBuilder.h"
+#include "FieldArrays.h"
 #include "Mesh/Certificate.h"
+#include "RunCore.h"
 #include "SurfaceBlocks.h"
 #include "vtkContourMonitor.h"
 
@@ -11,17 +12,14 @@
 #include "vtkCellData.h"
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
-#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
-#include "vtkStringArray.h"
 #include "vtkTable.h"
 #include "vtkTriangleFilter.h"
 
@@ -43,7 +41,7 @@ struct Block
   std::string Name;
   vtkSmartPointer<vtkPolyData> Surface; ///< triangles, and after WriteOn with its certificate
   recon::SurfaceCertificate Certificate;
-  std::vector<std::string> ContourReport;
+  std::size_t RepairedContours = 0;
 };
 
 bool HasTrianglesOnly(vtkPolyData* surface)
@@ -87,28 +85,18 @@ double RoundingOf(vtkPolyData* surface)
   return FLT_EPSILON * std::fabs(*largest);
 }
 
-std::optional<recon::ContourSet> BuildContours(
-  vtkPolyData* contours, std::vector<std::string>& report, recon::Monitor& monitor)
+std::optional<recon::ContourSet> BuildContours(vtkPolyData* contours, std::size_t& repaired)
 {
   if (!contours || contours->GetNumberOfCells() == 0)
   {
     return std::nullopt;
   }
-  const recon::ConvertedLoops loops = recon::ToLoopSoup(contours);
   recon::ContourSetOptions options;
   options.Parallel = false;
-  recon::ContourSet set = recon::BuildContourSet(loops.Soup, options, monitor);
-  report = loops.Report;
-  report.insert(report.end(), set.Report.begin(), set.Report.end());
+  recon::Monitor quiet; // reading the contours takes no time worth a progress bar
+  recon::ContourSet set = recon::ReadContours(contours, options, quiet);
+  repaired = set.Report.size() - recon::GetReport(contours).size();
   return set;
-}
-
-/// Replaces an array of that name.
-void AddFieldArray(vtkPolyData* surface, const std::string& name, vtkAbstractArray* array)
-{
-  array->SetName(name.c_str());
-  surface->GetFieldData()->RemoveArray(name.c_str());
-  surface->GetFieldData()->AddArray(array);
 }
 
 /// A figure without meaning: NaN, or -1 for a count.
@@ -137,21 +125,23 @@ void AddFigures(vtkPolyData* surface, const std::vector<recon::CertificateFigure
   for (const auto& figure : figures)
   {
     const auto array = MakeArrayFor(figure);
+    array->SetName(figure.Name.c_str());
     array->InsertNextTuple1(ValueOf(figure));
-    AddFieldArray(surface, figure.Name, array);
+    surface->GetFieldData()->RemoveArray(figure.Name.c_str());
+    surface->GetFieldData()->AddArray(array);
   }
 }
 
 template <typename Getter>
 void AddSectionArray(const Block& block, const char* name, const Getter& get)
 {
-  vtkNew<vtkDoubleArray> array;
+  std::vector<double> values;
   for (const auto& section : block.Certificate.Sections)
   {
     const std::optional<double> value = get(section);
-    array->InsertNextValue(value.value_or(std::numeric_limits<double>::quiet_NaN()));
+    values.push_back(value.value_or(std::numeric_limits<double>::quiet_NaN()));
   }
-  AddFieldArray(block.Surface, name, array);
+  recon::AddArray(block.Surface->GetFieldData(), name, values);
 }
 
 void AddSections(const Block& block)
@@ -168,31 +158,11 @@ void AddSections(const Block& block)
   AddSectionArray(block, "SectionPercent", [](const SectionDifference& s) { return s.Percent; });
 }
 
-void AddCellArray(vtkPolyData* surface, const char* name, const std::vector<int>& values)
-{
-  vtkNew<vtkIntArray> array;
-  array->SetName(name);
-  array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
-  std::copy(values.begin(), values.end(), array->GetPointer(0));
-  surface->GetCellData()->RemoveArray(name);
-  surface->GetCellData()->AddArray(array);
-}
-
-void AddLines(vtkPolyData* surface, const char* name, const std::vector<std::string>& lines)
-{
-  vtkNew<vtkStringArray> array;
-  for (const auto& line : lines)
-  {
-    array->InsertNextValue(line);
-  }
-  AddFieldArray(surface, name, array);
-}
-
 void WriteOn(const Block& block)
 {
   const recon::SurfaceCertificate& certificate = block.Certificate;
-  AddCellArray(block.Surface, "Defect", certificate.DefectOfTriangle);
-  AddCellArray(block.Surface, "ComponentId", certificate.ComponentOfTriangle);
+  recon::AddArray(block.Surface->GetCellData(), "Defect", certificate.DefectOfTriangle);
+  recon::AddArray(block.Surface->GetCellData(), "ComponentId", certificate.ComponentOfTriangle);
   AddFigures(block.Surface, recon::ListFigures(certificate.Total));
   if (!certificate.Sections.empty())
   {
@@ -200,13 +170,13 @@ void WriteOn(const Block& block)
     AddSections(block);
   }
   auto lines = recon::ToShortText(certificate);
-  if (!block.ContourReport.empty())
+  if (block.RepairedContours > 0)
   {
     lines.push_back("Contours that were repaired or left out before the comparison: " +
-      std::to_string(block.ContourReport.size()) + "; Contour Hierarchy lists them in its Report.");
+      std::to_string(block.RepairedContours) + "; Contour Hierarchy lists them in its Report.");
   }
-  AddLines(block.Surface, "Certificate", lines);
-  AddLines(block.Surface, "CertificateJSON", { recon::ToJson(certificate) });
+  recon::AddArray(block.Surface->GetFieldData(), "Certificate", lines);
+  recon::AddValue(block.Surface->GetFieldData(), "CertificateJSON", recon::ToJson(certificate));
 }
 
 Block CertifyBlock(const recon::NamedPolyData& input, vtkPolyData* contours,
@@ -220,8 +190,7 @@ Block CertifyBlock(const recon::NamedPolyData& input, vtkPolyData* contours,
   {
     mesh = recon::ToTriangleMesh(block.Surface);
   }
-  recon::Monitor quiet; // reading the contours takes no time worth a progress bar
-  const auto set = BuildContours(contours, block.ContourReport, quiet);
+  const auto set = BuildContours(contours, block.RepairedContours);
   options.CoordinateRounding = RoundingOf(input.Data);
   block.Certificate = recon::Certify(mesh, set ? &*set : nullptr, options, monitor);
   WriteOn(block);
@@ -404,43 +373,25 @@ int vtkSurfaceCertificate::RequestData(
   vtkDataObject* contours = vtkDataObject::GetData(inputVector[1]);
   vtkDataObject* output = vtkDataObject::GetData(outputVector, 0);
   vtkTable* table = vtkTable::GetData(outputVector, 1);
-  if (!input || !output || !table)
-  {
-    vtkErrorMacro("Surface Certificate needs a surface as poly data: connect one.");
-    return 0;
-  }
-  table->Initialize();
-  try
-  {
-    const auto surfaces = recon::ListPolyData(input);
-    const auto matched = recon::MatchContours(surfaces, contours);
-    recon::CertificateOptions options;
-    options.Weld = this->Weld;
-    options.Threads = this->Threads;
-    TableWriter writer(!vtkPolyData::SafeDownCast(input), contours != nullptr);
-    std::vector<Block> blocks;
-    for (std::size_t s = 0; s < surfaces.size(); ++s)
+  return recon::RunOnAnything(this, { output, table },
+    [&]
     {
-      const double count = static_cast<double>(surfaces.size());
-      vtkContourMonitor monitor(this, s / count, (s + 1) / count);
-      blocks.push_back(CertifyBlock(surfaces[s], matched[s], options, monitor));
-      writer.Add(blocks.back(), static_cast<int>(s));
-    }
-    FillOutput(input, blocks, output);
-    writer.WriteTo(table);
-    return 1;
-  }
-  catch (const recon::Aborted&)
-  {
-    output->Initialize();
-    table->Initialize();
-    return 1;
-  }
-  catch (const std::exception& error)
-  {
-    output->Initialize();
-    table->Initialize();
-    vtkErrorMacro(<< error.what());
-    return 0;
-  }
+      table->Initialize();
+      const auto surfaces = recon::ListPolyData(input);
+      const auto matched = recon::MatchContours(surfaces, contours);
+      recon::CertificateOptions options;
+      options.Weld = this->Weld;
+      options.Threads = this->Threads;
+      TableWriter writer(!vtkPolyData::SafeDownCast(input), contours != nullptr);
+      std::vector<Block> blocks;
+      for (std::size_t s = 0; s < surfaces.size(); ++s)
+      {
+        const double count = static_cast<double>(surfaces.size());
+        vtkContourMonitor monitor(this, s / count, (s + 1) / count);
+        blocks.push_back(CertifyBlock(surfaces[s], matched[s], options, monitor));
+        writer.Add(blocks.back(), static_cast<int>(s));
+      }
+      FillOutput(input, blocks, output);
+      writer.WriteTo(table);
+    });
 }

@@ -2,19 +2,17 @@
 #include "ImplicitData.h"
 
 #include "ContourConversion.h"
-#include "Contours/ContourSetBuilder.h"
+#include "FieldArrays.h"
 
 #include "vtkCellArray.h"
-#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
-#include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkStringArray.h"
 
 #include <algorithm>
+#include <string>
 
 namespace recon
 {
@@ -34,19 +32,6 @@ void SetPoints(const std::vector<Point3>& places, vtkPolyData* output)
   }
   output->SetPoints(points);
   output->SetVerts(vertices);
-}
-
-template <typename Array, typename Values>
-void AddPointArray(vtkPolyData* data, const char* name, const Values& values)
-{
-  vtkNew<Array> array;
-  array->SetName(name);
-  array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
-  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
-  {
-    array->SetValue(i, values[i]);
-  }
-  data->GetPointData()->AddArray(array);
 }
 
 std::vector<double> FieldNumbers(vtkPolyData* model, const char* name, vtkIdType count)
@@ -84,78 +69,31 @@ Kernel::KindType KernelOf(vtkPolyData* model)
 }
 }
 
-ContourSet ReadContours(vtkPolyData* input, Monitor& monitor)
-{
-  const ConvertedLoops loops = ToLoopSoup(input);
-  ContourSetOptions options;
-  options.Parallel = false;
-  ContourSet contours = BuildContourSet(loops.Soup, options, monitor);
-  contours.Report.insert(contours.Report.begin(), loops.Report.begin(), loops.Report.end());
-  return contours;
-}
-
-bool PassEmpty(vtkPolyData* input, vtkPolyData* output)
-{
-  if (input->GetNumberOfCells() > 0 || input->GetNumberOfPoints() > 0)
-  {
-    return false;
-  }
-  PassReport(input, { "The input is empty, so the output is." }, output);
-  return true;
-}
-
-void PassReport(vtkPolyData* input, const std::vector<std::string>& lines, vtkPolyData* output)
-{
-  std::vector<std::string> report = GetReport(input);
-  report.insert(report.end(), lines.begin(), lines.end());
-  vtkFieldData* from = input->GetFieldData();
-  for (int a = 0; a < from->GetNumberOfArrays(); ++a)
-  {
-    vtkAbstractArray* array = from->GetAbstractArray(a);
-    if (array->GetName() && !output->GetFieldData()->HasArray(array->GetName()))
-    {
-      output->GetFieldData()->AddArray(array);
-    }
-  }
-  SetReport(report, output);
-}
-
-void AddFieldNumbers(vtkDataObject* data, const char* name, const std::vector<double>& values)
-{
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(name);
-  for (const double value : values)
-  {
-    array->InsertNextValue(value);
-  }
-  data->GetFieldData()->AddArray(array);
-}
-
 void ToPolyData(const ConstraintSet& constraints, vtkPolyData* output)
 {
   SetPoints(constraints.Points, output);
-  AddPointArray<vtkDoubleArray>(output, "Value", constraints.Values);
-  AddPointArray<vtkIntArray>(output, "Kind", constraints.Kind);
-  AddPointArray<vtkIntArray>(output, "ContourId", constraints.Contour);
-  output->GetPointData()->SetActiveScalars("Value");
-  AddFieldNumbers(output, "MarginDistance", { constraints.MarginDistance });
+  vtkPointData* points = output->GetPointData();
+  AddArray(points, "Value", constraints.Values);
+  AddArray(points, "Kind", constraints.Kind);
+  AddArray(points, "ContourId", constraints.Contour);
+  points->SetActiveScalars("Value");
+  AddValue(output->GetFieldData(), "MarginDistance", constraints.MarginDistance);
 }
 
 void ToPolyData(const ImplicitFunction& function, vtkPolyData* output)
 {
   SetPoints(function.Centres, output);
-  AddPointArray<vtkDoubleArray>(output, "Weight", function.Weights);
-  AddPointArray<vtkDoubleArray>(output, "Value", function.Values);
+  AddArray(output->GetPointData(), "Weight", function.Weights);
+  AddArray(output->GetPointData(), "Value", function.Values);
   output->GetPointData()->SetActiveScalars("Value");
-  AddFieldNumbers(output, "Polynomial", { function.Polynomial.begin(), function.Polynomial.end() });
-  AddFieldNumbers(output, "Origin", { function.Origin.begin(), function.Origin.end() });
-  AddFieldNumbers(output, "SupportRadius", { function.Phi.Radius });
-  AddFieldNumbers(output, "Residual", { function.Residual });
-  AddFieldNumbers(output, "Iterations", { static_cast<double>(function.Iterations) });
-  vtkNew<vtkStringArray> kernel;
-  kernel->SetName("Kernel");
-  kernel->InsertNextValue(function.Phi.Kind == Kernel::Wendland ? "Wendland" : "Triharmonic");
-  output->GetFieldData()->AddArray(kernel);
+  vtkFieldData* model = output->GetFieldData();
+  AddArray(model, "Polynomial", function.Polynomial);
+  AddArray(model, "Origin", function.Origin);
+  AddValue(model, "SupportRadius", function.Phi.Radius);
+  AddValue(model, "Residual", function.Residual);
+  AddValue(model, "Iterations", static_cast<double>(function.Iterations));
+  const bool isWendland = function.Phi.Kind == Kernel::Wendland;
+  AddValue(model, "Kernel", std::string(isWendland ? "Wendland" : "Triharmonic"));
 }
 
 ImplicitFunction ToFunction(vtkPolyData* model)
@@ -178,17 +116,9 @@ ImplicitFunction ToFunction(vtkPolyData* model)
 void ToPolyData(const ImplicitMesh& mesh, vtkPolyData* output)
 {
   ToPolyData(mesh.Mesh, output);
-  vtkNew<vtkDoubleArray> normals;
-  normals->SetName("Normals");
-  normals->SetNumberOfComponents(3);
-  normals->SetNumberOfTuples(static_cast<vtkIdType>(mesh.Normals.size()));
-  for (vtkIdType i = 0; i < normals->GetNumberOfTuples(); ++i)
-  {
-    normals->SetTuple(i, mesh.Normals[i].data());
-  }
-  output->GetPointData()->SetNormals(normals);
-  AddFieldNumbers(output, "CellSize", { mesh.CellSize });
-  AddFieldNumbers(output, "SmallestAngle", { mesh.SmallestAngle });
+  output->GetPointData()->SetNormals(MakeArray("Normals", mesh.Normals));
+  AddValue(output->GetFieldData(), "CellSize", mesh.CellSize);
+  AddValue(output->GetFieldData(), "SmallestAngle", mesh.SmallestAngle);
 }
 
 std::vector<Point3> PointsOf(vtkPolyData* data)

@@ -14,24 +14,14 @@
 #include "Implicit/ImplicitFunction.h"
 #include "Implicit/ZeroSet/Polygonizer.h"
 
-#include <string>
 #include <vector>
 
-class vtkDataObject;
 class vtkPolyData;
 
 namespace recon
 {
-/// Clean contours on planes of any orientation; what earlier filters reported comes first in
-/// Report.
-[[nodiscard]] ContourSet ReadContours(vtkPolyData* input, Monitor& monitor);
-
-/**
- * An input without cells and points gives an empty output that says so, and is no error: a region
- * of interest without contours is common, and must not stop the others. @returns whether that was
- * so.
- */
-bool PassEmpty(vtkPolyData* input, vtkPolyData* output);
+/// What filters behind Implicit Function need, as RunCore says it.
+constexpr const char* NeedsModel = "a model as poly data: connect Implicit Function";
 
 /// Points with vertex cells; point arrays `Value`, `Kind` (0, 1 inner, -1 outer), `ContourId`;
 /// field data `MarginDistance`.
@@ -51,11 +41,6 @@ void ToPolyData(const ImplicitMesh& mesh, vtkPolyData* output);
 /// Points and the numbers of a point array. @throws Error where it is missing.
 [[nodiscard]] std::vector<Point3> PointsOf(vtkPolyData* data);
 [[nodiscard]] std::vector<double> NumbersOf(vtkPolyData* data, const char* array);
-
-/// The field data of the input, then a Report of these lines behind the input's own.
-void PassReport(vtkPolyData* input, const std::vector<std::string>& lines, vtkPolyData* output);
-
-void AddFieldNumbers(vtkDataObject* data, const char* name, const std::vector<double>& values);
 }
 
 #endif

@@ -5,6 +5,7 @@
 #include "Implicit/Constraints/ContourFit.h"
 #include "ImplicitData.h"
 #include "ImplicitOptions.h"
+#include "RunCore.h"
 #include "vtkContourMonitor.h"
 
 #include "vtkInformation.h"
@@ -37,41 +38,21 @@ int vtkImplicitConstraints::RequestData(
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0], 0);
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
-  if (!input || !output)
-  {
-    vtkErrorMacro(
-      "Implicit Constraints needs contours as poly data: connect a contour reader or Slice.");
-    return 0;
-  }
-  if (recon::PassEmpty(input, output) || recon::PassPoints(this, input, output))
-  {
-    return 1;
-  }
-  try
-  {
-    vtkContourMonitor cleaning(this, 0.0, 0.1);
-    const recon::ContourSet contours = recon::ReadContours(input, cleaning);
-    vtkContourMonitor placing(this, 0.1, 1.0);
-    recon::FunctionOptions fitting;
-    fitting.Threads = this->Threads;
-    const recon::ConstraintSet constraints =
-      ConstraintsOf(contours, recon::ConstraintOptionsOf(this), fitting, placing);
-    recon::ToPolyData(constraints, output);
-    std::vector<std::string> report = contours.Report;
-    report.insert(report.end(), constraints.Report.begin(), constraints.Report.end());
-    recon::PassReport(input, report, output);
-  }
-  catch (const recon::Aborted&)
-  {
-    output->Initialize();
-  }
-  catch (const std::exception& error)
-  {
-    output->Initialize();
-    vtkErrorMacro("" << error.what());
-    return 0;
-  }
-  return 1;
+  return recon::RunCore(this, input, recon::NeedsContours, { output },
+    [&]
+    {
+      vtkContourMonitor cleaning(this, 0.0, 0.1);
+      const recon::ContourSet contours = this->ReadContours(input, false, cleaning);
+      vtkContourMonitor placing(this, 0.1, 1.0);
+      recon::FunctionOptions fitting;
+      fitting.Threads = this->Threads;
+      const recon::ConstraintSet constraints =
+        ConstraintsOf(contours, recon::ConstraintOptionsOf(this), fitting, placing);
+      recon::ToPolyData(constraints, output);
+      std::vector<std::string> report = contours.Report;
+      report.insert(report.end(), constraints.Report.begin(), constraints.Report.end());
+      recon::FinishOutput(input, report, output);
+    });
 }
 
 //------------------------------------------------------------------------------

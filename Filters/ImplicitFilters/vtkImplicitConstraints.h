@@ -19,13 +19,13 @@
 #define vtkImplicitConstraints_h
 
 #include "ImplicitFiltersModule.h" // for the export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkContourSetAlgorithm.h"
 
-class IMPLICITFILTERS_EXPORT vtkImplicitConstraints : public vtkPolyDataAlgorithm
+class IMPLICITFILTERS_EXPORT vtkImplicitConstraints : public vtkContourSetAlgorithm
 {
 public:
   static vtkImplicitConstraints* New();
-  vtkTypeMacro(vtkImplicitConstraints, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkImplicitConstraints, vtkContourSetAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum ModeType

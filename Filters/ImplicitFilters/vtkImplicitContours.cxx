@@ -5,6 +5,7 @@
 #include "Implicit/ZeroSet/ContourTracer.h"
 #include "ImplicitData.h"
 #include "ImplicitOptions.h"
+#include "RunCore.h"
 #include "vtkContourMonitor.h"
 
 #include "vtkDataObject.h"
@@ -95,8 +96,10 @@ std::vector<recon::TracePlane> PlanesOf(
   }
   if (vtkPolyData* contours = vtkPolyData::SafeDownCast(second))
   {
+    recon::ContourSetOptions options;
+    options.Parallel = false;
     recon::Monitor silent;
-    return recon::PlanesOf(recon::ReadContours(contours, silent));
+    return recon::PlanesOf(recon::ReadContours(contours, options, silent));
   }
   return RangeOf(filter, seeds);
 }
@@ -127,36 +130,17 @@ int vtkImplicitContours::RequestData(
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0], 0);
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
-  if (!input || !output)
-  {
-    vtkErrorMacro("Implicit Contours needs a model as poly data: connect Implicit Function.");
-    return 0;
-  }
-  if (recon::PassEmpty(input, output))
-  {
-    return 1;
-  }
-  try
-  {
-    const recon::ImplicitFunction function = recon::ToFunction(input);
-    const std::vector<recon::Point3> seeds = recon::SeedsOf(function);
-    vtkContourMonitor tracing(this);
-    const recon::ContourSet contours = recon::TraceContours(function, seeds,
-      PlanesOf(vtkDataObject::GetData(inputVector[1], 0), this, seeds), OptionsOf(this), tracing);
-    recon::ToPolyData(contours, {}, output);
-    recon::PassReport(input, contours.Report, output);
-  }
-  catch (const recon::Aborted&)
-  {
-    output->Initialize();
-  }
-  catch (const std::exception& error)
-  {
-    output->Initialize();
-    vtkErrorMacro("" << error.what());
-    return 0;
-  }
-  return 1;
+  return recon::RunCore(this, input, recon::NeedsModel, { output },
+    [&]
+    {
+      const recon::ImplicitFunction function = recon::ToFunction(input);
+      const std::vector<recon::Point3> seeds = recon::SeedsOf(function);
+      vtkContourMonitor tracing(this);
+      const recon::ContourSet contours = recon::TraceContours(function, seeds,
+        PlanesOf(vtkDataObject::GetData(inputVector[1], 0), this, seeds), OptionsOf(this), tracing);
+      recon::ToPolyData(contours, output);
+      recon::FinishOutput(input, recon::JoinReports(input, contours.Report), output);
+    });
 }
 
 //------------------------------------------------------------------------------

@@ -18,13 +18,13 @@
 #define vtkImplicitContours_h
 
 #include "ImplicitFiltersModule.h" // for the export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkContourAlgorithm.h"
 
-class IMPLICITFILTERS_EXPORT vtkImplicitContours : public vtkPolyDataAlgorithm
+class IMPLICITFILTERS_EXPORT vtkImplicitContours : public vtkContourAlgorithm
 {
 public:
   static vtkImplicitContours* New();
-  vtkTypeMacro(vtkImplicitContours, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkImplicitContours, vtkContourAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkImplicitFunctionFit.h"
 
+#include "ContourConversion.h"
 #include "ImplicitData.h"
 #include "ImplicitOptions.h"
+#include "RunCore.h"
 #include "vtkContourMonitor.h"
 
 #include "vtkInformation.h"
@@ -18,35 +20,16 @@ int vtkImplicitFunctionFit::RequestData(
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0], 0);
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
-  if (!input || !output)
-  {
-    vtkErrorMacro(
-      "Implicit Function needs constraint points as poly data: connect Implicit Constraints.");
-    return 0;
-  }
-  if (recon::PassEmpty(input, output))
-  {
-    return 1;
-  }
-  try
-  {
-    vtkContourMonitor fitting(this);
-    const recon::ImplicitFunction function = recon::FitImplicitFunction(recon::PointsOf(input),
-      recon::NumbersOf(input, "Value"), recon::FunctionOptionsOf(this), fitting);
-    recon::ToPolyData(function, output);
-    recon::PassReport(input, function.Report, output);
-  }
-  catch (const recon::Aborted&)
-  {
-    output->Initialize();
-  }
-  catch (const std::exception& error)
-  {
-    output->Initialize();
-    vtkErrorMacro("" << error.what());
-    return 0;
-  }
-  return 1;
+  return recon::RunCore(this, input, "constraint points as poly data: connect Implicit Constraints",
+    { output },
+    [&]
+    {
+      vtkContourMonitor fitting(this);
+      const recon::ImplicitFunction function = recon::FitImplicitFunction(recon::PointsOf(input),
+        recon::NumbersOf(input, "Value"), recon::FunctionOptionsOf(this), fitting);
+      recon::ToPolyData(function, output);
+      recon::FinishOutput(input, recon::JoinReports(input, function.Report), output);
+    });
 }
 
 //------------------------------------------------------------------------------

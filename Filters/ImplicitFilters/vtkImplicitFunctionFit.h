@@ -19,13 +19,13 @@
 #define vtkImplicitFunctionFit_h
 
 #include "ImplicitFiltersModule.h" // for the export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkContourAlgorithm.h"
 
-class IMPLICITFILTERS_EXPORT vtkImplicitFunctionFit : public vtkPolyDataAlgorithm
+class IMPLICITFILTERS_EXPORT vtkImplicitFunctionFit : public vtkContourAlgorithm
 {
 public:
   static vtkImplicitFunctionFit* New();
-  vtkTypeMacro(vtkImplicitFunctionFit, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkImplicitFunctionFit, vtkContourAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum KernelType

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkImplicitPolygonizer.h"
 
+#include "ContourConversion.h"
 #include "ImplicitData.h"
 #include "ImplicitOptions.h"
+#include "RunCore.h"
 #include "vtkContourMonitor.h"
 
 #include "vtkInformation.h"
@@ -18,35 +20,16 @@ int vtkImplicitPolygonizer::RequestData(
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0], 0);
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
-  if (!input || !output)
-  {
-    vtkErrorMacro("Implicit Polygonizer needs a model as poly data: connect Implicit Function.");
-    return 0;
-  }
-  if (recon::PassEmpty(input, output))
-  {
-    return 1;
-  }
-  try
-  {
-    const recon::ImplicitFunction function = recon::ToFunction(input);
-    vtkContourMonitor meshing(this);
-    const recon::ImplicitMesh mesh = recon::Polygonize(
-      function, recon::SeedsOf(function), recon::PolygonizerOptionsOf(this), meshing);
-    recon::ToPolyData(mesh, output);
-    recon::PassReport(input, mesh.Report, output);
-  }
-  catch (const recon::Aborted&)
-  {
-    output->Initialize();
-  }
-  catch (const std::exception& error)
-  {
-    output->Initialize();
-    vtkErrorMacro("" << error.what());
-    return 0;
-  }
-  return 1;
+  return recon::RunCore(this, input, recon::NeedsModel, { output },
+    [&]
+    {
+      const recon::ImplicitFunction function = recon::ToFunction(input);
+      vtkContourMonitor meshing(this);
+      const recon::ImplicitMesh mesh = recon::Polygonize(
+        function, recon::SeedsOf(function), recon::PolygonizerOptionsOf(this), meshing);
+      recon::ToPolyData(mesh, output);
+      recon::FinishOutput(input, recon::JoinReports(input, mesh.Report), output);
+    });
 }
 
 //------------------------------------------------------------------------------

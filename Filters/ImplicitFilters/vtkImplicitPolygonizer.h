@@ -17,13 +17,13 @@
 #define vtkImplicitPolygonizer_h
 
 #include "ImplicitFiltersModule.h" // for the export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkContourAlgorithm.h"
 
-class IMPLICITFILTERS_EXPORT vtkImplicitPolygonizer : public vtkPolyDataAlgorithm
+class IMPLICITFILTERS_EXPORT vtkImplicitPolygonizer : public vtkContourAlgorithm
 {
 public:
   static vtkImplicitPolygonizer* New();
-  vtkTypeMacro(vtkImplicitPolygonizer, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkImplicitPolygonizer, vtkContourAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum DetailType

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkImplicitSurface.h"
 
-#include "ContourConversion.h"
+#include "FieldArrays.h"
 #include "Implicit/ImplicitSurface.h"
 #include "ImplicitData.h"
 #include "ImplicitOptions.h"
+#include "RunCore.h"
 #include "vtkContourMonitor.h"
 
 #include "vtkInformation.h"
@@ -32,41 +33,22 @@ int vtkImplicitSurface::RequestData(
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0], 0);
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
-  if (!input || !output)
-  {
-    vtkErrorMacro(
-      "Implicit Surface needs contours as poly data: connect a contour reader or Slice.");
-    return 0;
-  }
-  if (recon::PassEmpty(input, output) || recon::PassPoints(this, input, output))
-  {
-    return 1;
-  }
-  try
-  {
-    vtkContourMonitor cleaning(this, 0.0, 0.05);
-    const recon::ContourSet contours = recon::ReadContours(input, cleaning);
-    vtkContourMonitor building(this, 0.05, 1.0);
-    const recon::ImplicitSurface surface =
-      recon::BuildImplicitSurface(contours, OptionsOf(this), building);
-    recon::ToPolyData(surface.Mesh, output);
-    recon::AddFieldNumbers(output, "Residual", { surface.Fit.Function.Residual });
-    recon::AddFieldNumbers(output, "MarginDistance", { surface.Fit.Constraints.MarginDistance });
-    recon::AddFieldNumbers(
-      output, "ConstraintCount", { static_cast<double>(surface.Fit.Function.Centres.size()) });
-    recon::PassReport(input, surface.Report, output);
-  }
-  catch (const recon::Aborted&)
-  {
-    output->Initialize();
-  }
-  catch (const std::exception& error)
-  {
-    output->Initialize();
-    vtkErrorMacro("" << error.what());
-    return 0;
-  }
-  return 1;
+  return recon::RunCore(this, input, recon::NeedsContours, { output },
+    [&]
+    {
+      vtkContourMonitor cleaning(this, 0.0, 0.05);
+      const recon::ContourSet contours = this->ReadContours(input, false, cleaning);
+      vtkContourMonitor building(this, 0.05, 1.0);
+      const recon::ImplicitSurface surface =
+        recon::BuildImplicitSurface(contours, OptionsOf(this), building);
+      recon::ToPolyData(surface.Mesh, output);
+      vtkFieldData* figures = output->GetFieldData();
+      recon::AddValue(figures, "Residual", surface.Fit.Function.Residual);
+      recon::AddValue(figures, "MarginDistance", surface.Fit.Constraints.MarginDistance);
+      recon::AddValue(
+        figures, "ConstraintCount", static_cast<double>(surface.Fit.Function.Centres.size()));
+      recon::FinishOutput(input, surface.Report, output);
+    });
 }
 
 //------------------------------------------------------------------------------

@@ -21,13 +21,13 @@
 #define vtkImplicitSurface_h
 
 #include "ImplicitFiltersModule.h" // for the export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkContourSetAlgorithm.h"
 
-class IMPLICITFILTERS_EXPORT vtkImplicitSurface : public vtkPolyDataAlgorithm
+class IMPLICITFILTERS_EXPORT vtkImplicitSurface : public vtkContourSetAlgorithm
 {
 public:
   static vtkImplicitSurface* New();
-  vtkTypeMacro(vtkImplicitSurface, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkImplicitSurface, vtkContourSetAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum DetailType

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkContourTriangulation.h"
 
+#include "ContourConversion.h"
+#include "FieldArrays.h"
 #include "Polyhedral/PolyhedralStages.h"
-#include "PolyhedralInput.h"
+#include "RunCore.h"
 #include "vtkContourMonitor.h"
 
 #include "vtkCellArray.h"
@@ -12,6 +14,8 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkTable.h"
 
 #include <cmath>
 
@@ -72,12 +76,12 @@ void FillTriangles(const recon::ContourSet& contours, const Levels& levels, vtkP
   }
   output->SetPoints(points);
   output->SetPolys(cells);
-  recon::AddIntArray(output->GetCellData(), "Level", cellLevel);
-  recon::AddIntArray(output->GetCellData(), "Inside", inside);
-  recon::AddIntArray(output->GetCellData(), "ContourEdges", contourEdges);
-  recon::AddIntArray(output->GetPointData(), "Level", pointLevel);
-  recon::AddIntArray(output->GetPointData(), "PointKind", pointKind);
-  recon::AddIntArray(output->GetPointData(), "AskedBy", askedBy);
+  recon::AddArray(output->GetCellData(), "Level", cellLevel);
+  recon::AddArray(output->GetCellData(), "Inside", inside);
+  recon::AddArray(output->GetCellData(), "ContourEdges", contourEdges);
+  recon::AddArray(output->GetPointData(), "Level", pointLevel);
+  recon::AddArray(output->GetPointData(), "PointKind", pointKind);
+  recon::AddArray(output->GetPointData(), "AskedBy", askedBy);
 }
 
 /// Adds the Voronoi vertices of a level; the ids of those that exist, -1 for the others.
@@ -123,17 +127,19 @@ void FillSkeletons(const recon::ContourSet& contours, const Levels& levels, vtkP
   }
   output->SetPoints(points);
   output->SetLines(lines);
-  recon::AddIntArray(output->GetCellData(), "Level", level);
-  recon::AddIntArray(output->GetCellData(), "Internal", internal);
+  recon::AddArray(output->GetCellData(), "Level", level);
+  recon::AddArray(output->GetCellData(), "Internal", internal);
 }
 
 /// One plane has no neighbour to ask for internal points, and no slab, but can be looked at.
 Levels Triangulate(const recon::ContourSet& contours, const recon::PolyhedralOptions& options,
-  recon::Monitor& monitor)
+  recon::Monitor& monitor, std::vector<std::string>& report)
 {
   if (contours.Levels.size() > 1)
   {
-    return recon::BuildPolyhedralStages(contours, options, monitor).Triangulations;
+    recon::PolyhedralStages stages = recon::BuildPolyhedralStages(contours, options, monitor);
+    report.insert(report.end(), stages.Report.begin(), stages.Report.end());
+    return std::move(stages.Triangulations);
   }
   Levels levels;
   levels.push_back(recon::LevelTriangulator(contours, 0).Finish());
@@ -154,53 +160,27 @@ int vtkContourTriangulation::RequestData(
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0], 0);
   vtkPolyData* triangles = vtkPolyData::GetData(outputVector, 0);
   vtkPolyData* skeletons = vtkPolyData::GetData(outputVector, 1);
-  if (!input || !triangles || !skeletons)
-  {
-    vtkErrorMacro(
-      "Contour Triangulation needs contours as poly data: connect a contour reader or Slice.");
-    return 0;
-  }
-  if (recon::PassEmptyInput(input, triangles) || recon::PassPoints(this, input, triangles))
-  {
-    return 1;
-  }
-  try
-  {
-    vtkContourMonitor cleaning(this, 0.0, 0.2);
-    const recon::ContourSet contours = recon::ReadParallelContours(input, cleaning);
-    vtkContourMonitor triangulating(this, 0.2, 1.0);
-    recon::PolyhedralOptions options;
-    options.InternalPoints = this->InternalPoints;
-    options.Threads = this->Threads;
-    const Levels levels = Triangulate(contours, options, triangulating);
-    FillTriangles(contours, levels, triangles);
-    FillSkeletons(contours, levels, skeletons);
-    for (vtkPolyData* output : { triangles, skeletons })
+  return recon::RunCore(this, input, recon::NeedsContours, { triangles, skeletons },
+    [&]
     {
-      recon::PassFieldData(input, output);
-      recon::AddLevels(contours, output->GetFieldData());
-      recon::SetReport(contours.Report, output);
-    }
-  }
-  catch (const recon::Aborted&)
-  {
-    triangles->Initialize();
-    skeletons->Initialize();
-  }
-  catch (const std::exception& error)
-  {
-    triangles->Initialize();
-    skeletons->Initialize();
-    vtkErrorMacro("" << error.what());
-    return 0;
-  }
-  return 1;
+      vtkContourMonitor cleaning(this, 0.0, 0.2);
+      const recon::ContourSet contours = this->ReadContours(input, true, cleaning);
+      vtkContourMonitor triangulating(this, 0.2, 1.0);
+      std::vector<std::string> report = contours.Report;
+      const Levels levels = Triangulate(
+        contours, this->GetOptions(vtkTable::GetData(inputVector[1], 0)), triangulating, report);
+      FillTriangles(contours, levels, triangles);
+      FillSkeletons(contours, levels, skeletons);
+      for (vtkPolyData* output : { triangles, skeletons })
+      {
+        recon::AddLevels(contours, output);
+        recon::FinishOutput(input, report, output);
+      }
+    });
 }
 
 //------------------------------------------------------------------------------
 void vtkContourTriangulation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "InternalPoints: " << this->InternalPoints << '\n'
-     << indent << "Threads: " << this->Threads << '\n';
 }

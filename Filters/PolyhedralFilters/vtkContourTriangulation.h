@@ -26,27 +26,14 @@
 #define vtkContourTriangulation_h
 
 #include "PolyhedralFiltersModule.h" // for the export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkPolyhedralAlgorithm.h"
 
-class POLYHEDRALFILTERS_EXPORT vtkContourTriangulation : public vtkPolyDataAlgorithm
+class POLYHEDRALFILTERS_EXPORT vtkContourTriangulation : public vtkPolyhedralAlgorithm
 {
 public:
   static vtkContourTriangulation* New();
-  vtkTypeMacro(vtkContourTriangulation, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkContourTriangulation, vtkPolyhedralAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  ///@{
-  /// Insert vertices of the neighbouring levels' external skeletons (thesis 5.3). On by default.
-  vtkSetMacro(InternalPoints, bool);
-  vtkGetMacro(InternalPoints, bool);
-  vtkBooleanMacro(InternalPoints, bool);
-  ///@}
-
-  ///@{
-  /// Number of threads; 0, the default, takes all of the machine. The result does not depend on it.
-  vtkSetClampMacro(Threads, int, 0, 1024);
-  vtkGetMacro(Threads, int);
-  ///@}
 
 protected:
   vtkContourTriangulation();
@@ -58,9 +45,6 @@ protected:
 private:
   vtkContourTriangulation(const vtkContourTriangulation&) = delete;
   void operator=(const vtkContourTriangulation&) = delete;
-
-  bool InternalPoints = true;
-  int Threads = 0;
 };
 
 #endif

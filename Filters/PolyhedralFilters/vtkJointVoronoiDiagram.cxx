@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkJointVoronoiDiagram.h"
 
+#include "ContourConversion.h"
+#include "FieldArrays.h"
 #include "Polyhedral/PolyhedralStages.h"
-#include "PolyhedralInput.h"
+#include "RunCore.h"
 #include "vtkContourMonitor.h"
 
 #include "vtkCellArray.h"
@@ -12,6 +14,8 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkTable.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <cmath>
@@ -38,9 +42,9 @@ void AddNodeArrays(const Slabs& slabs, vtkFieldData* data)
       reason.push_back(t.Reason);
     }
   }
-  recon::AddIntArray(data, "NodeType", nodeType);
-  recon::AddIntArray(data, "Kept", kept);
-  recon::AddIntArray(data, "Reason", reason);
+  recon::AddArray(data, "NodeType", nodeType);
+  recon::AddArray(data, "Kept", kept);
+  recon::AddArray(data, "Reason", reason);
 }
 
 /// Number of the first point of every level, in the order of the levels.
@@ -67,8 +71,8 @@ std::vector<vtkIdType> InsertLevelPoints(
     }
   }
   output->SetPoints(points);
-  recon::AddIntArray(output->GetPointData(), "Level", pointLevel);
-  recon::AddIntArray(output->GetPointData(), "PointKind", pointKind);
+  recon::AddArray(output->GetPointData(), "Level", pointLevel);
+  recon::AddArray(output->GetPointData(), "PointKind", pointKind);
   return first;
 }
 
@@ -92,7 +96,7 @@ void FillTetrahedra(const recon::ContourSet& contours, const Levels& levels, con
     }
   }
   output->SetCells(VTK_TETRA, cells);
-  recon::AddIntArray(output->GetCellData(), "Slab", number);
+  recon::AddArray(output->GetCellData(), "Slab", number);
   AddNodeArrays(slabs, output->GetCellData());
 }
 
@@ -176,7 +180,7 @@ void FillGraph(
   }
   output->SetPoints(points);
   output->SetLines(lines);
-  recon::AddIntArray(output->GetCellData(), "Slab", number);
+  recon::AddArray(output->GetCellData(), "Slab", number);
   AddNodeArrays(slabs, output->GetPointData());
 }
 }
@@ -188,10 +192,9 @@ vtkJointVoronoiDiagram::vtkJointVoronoiDiagram()
 }
 
 //------------------------------------------------------------------------------
-int vtkJointVoronoiDiagram::FillInputPortInformation(int, vtkInformation* info)
+vtkUnstructuredGrid* vtkJointVoronoiDiagram::GetOutput()
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
-  return 1;
+  return vtkUnstructuredGrid::SafeDownCast(this->GetOutputDataObject(0));
 }
 
 //------------------------------------------------------------------------------
@@ -208,56 +211,28 @@ int vtkJointVoronoiDiagram::RequestData(
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0], 0);
   vtkUnstructuredGrid* tetrahedra = vtkUnstructuredGrid::GetData(outputVector, 0);
   vtkPolyData* graph = vtkPolyData::GetData(outputVector, 1);
-  if (!input || !tetrahedra || !graph)
-  {
-    vtkErrorMacro(
-      "Joint Voronoi Diagram needs contours as poly data: connect a contour reader or Slice.");
-    return 0;
-  }
-  if (recon::PassEmptyInput(input, tetrahedra) || recon::PassPoints(this, input, tetrahedra))
-  {
-    return 1;
-  }
-  try
-  {
-    vtkContourMonitor cleaning(this, 0.0, 0.1);
-    const recon::ContourSet contours = recon::ReadParallelContours(input, cleaning);
-    recon::PolyhedralOptions options;
-    options.InternalPoints = this->InternalPoints;
-    options.Threads = this->Threads;
-    vtkContourMonitor building(this, 0.1, 1.0);
-    const recon::PolyhedralStages stages =
-      recon::BuildPolyhedralStages(contours, options, building);
-    const Levels& levels = stages.Triangulations;
-    const Slabs& slabs = stages.Slabs;
-    FillTetrahedra(contours, levels, slabs, tetrahedra);
-    FillGraph(contours, levels, slabs, graph);
-    for (vtkDataObject* output : std::initializer_list<vtkDataObject*>{ tetrahedra, graph })
+  return recon::RunCore(this, input, recon::NeedsContours, { tetrahedra, graph },
+    [&]
     {
-      recon::PassFieldData(input, output);
-      recon::AddLevels(contours, output->GetFieldData());
-      recon::SetReport(contours.Report, output);
-    }
-  }
-  catch (const recon::Aborted&)
-  {
-    tetrahedra->Initialize();
-    graph->Initialize();
-  }
-  catch (const std::exception& error)
-  {
-    tetrahedra->Initialize();
-    graph->Initialize();
-    vtkErrorMacro("" << error.what());
-    return 0;
-  }
-  return 1;
+      vtkContourMonitor cleaning(this, 0.0, 0.1);
+      const recon::ContourSet contours = this->ReadContours(input, true, cleaning);
+      vtkContourMonitor building(this, 0.1, 1.0);
+      const recon::PolyhedralStages stages = recon::BuildPolyhedralStages(
+        contours, this->GetOptions(vtkTable::GetData(inputVector[1], 0)), building);
+      FillTetrahedra(contours, stages.Triangulations, stages.Slabs, tetrahedra);
+      FillGraph(contours, stages.Triangulations, stages.Slabs, graph);
+      std::vector<std::string> report = contours.Report;
+      report.insert(report.end(), stages.Report.begin(), stages.Report.end());
+      for (vtkDataObject* output : std::initializer_list<vtkDataObject*>{ tetrahedra, graph })
+      {
+        recon::AddLevels(contours, output);
+        recon::FinishOutput(input, report, output);
+      }
+    });
 }
 
 //------------------------------------------------------------------------------
 void vtkJointVoronoiDiagram::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "InternalPoints: " << this->InternalPoints << '\n'
-     << indent << "Threads: " << this->Threads << '\n';
 }

@@ -31,33 +31,24 @@
 #define vtkJointVoronoiDiagram_h
 
 #include "PolyhedralFiltersModule.h" // for the export macro
-#include "vtkUnstructuredGridAlgorithm.h"
+#include "vtkPolyhedralAlgorithm.h"
 
-class POLYHEDRALFILTERS_EXPORT vtkJointVoronoiDiagram : public vtkUnstructuredGridAlgorithm
+class vtkUnstructuredGrid;
+
+class POLYHEDRALFILTERS_EXPORT vtkJointVoronoiDiagram : public vtkPolyhedralAlgorithm
 {
 public:
   static vtkJointVoronoiDiagram* New();
-  vtkTypeMacro(vtkJointVoronoiDiagram, vtkUnstructuredGridAlgorithm);
+  vtkTypeMacro(vtkJointVoronoiDiagram, vtkPolyhedralAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
-  /// Insert vertices of the neighbouring levels' external skeletons (thesis 5.3). On by default.
-  vtkSetMacro(InternalPoints, bool);
-  vtkGetMacro(InternalPoints, bool);
-  vtkBooleanMacro(InternalPoints, bool);
-  ///@}
-
-  ///@{
-  /// Number of threads; 0, the default, takes all of the machine. The result does not depend on it.
-  vtkSetClampMacro(Threads, int, 0, 1024);
-  vtkGetMacro(Threads, int);
-  ///@}
+  /// The tetrahedra.
+  vtkUnstructuredGrid* GetOutput();
 
 protected:
   vtkJointVoronoiDiagram();
   ~vtkJointVoronoiDiagram() override = default;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
@@ -65,9 +56,6 @@ protected:
 private:
   vtkJointVoronoiDiagram(const vtkJointVoronoiDiagram&) = delete;
   void operator=(const vtkJointVoronoiDiagram&) = delete;
-
-  bool InternalPoints = true;
-  int Threads = 0;
 };
 
 #endif

@@ -2,15 +2,15 @@
 #include "vtkBRepReader.h"
 
 #include "BRep/BRepParser.h"
-#include "Common/FileOutcome.h"
 #include "ContourConversion.h"
+#include "FieldArrays.h"
+#include "RunCore.h"
 #include "vtkContourMonitor.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
@@ -20,20 +20,11 @@ vtkStandardNewMacro(vtkBRepReader);
 namespace
 {
 /// A number a cell: vtkPolyData counts lines before polygons.
-void AddCellArray(const char* name, const std::vector<int>& ofContours,
-  const std::vector<int>& ofTriangles, vtkPolyData* output)
+void AddNumbers(const char* name, std::vector<int> numbers, const std::vector<int>& ofTriangles,
+  vtkPolyData* output)
 {
-  vtkNew<vtkIntArray> array;
-  array->SetName(name);
-  array->Allocate(static_cast<vtkIdType>(ofContours.size() + ofTriangles.size()));
-  for (const std::vector<int>* numbers : { &ofContours, &ofTriangles })
-  {
-    for (const int number : *numbers)
-    {
-      array->InsertNextValue(number);
-    }
-  }
-  output->GetCellData()->AddArray(array);
+  numbers.insert(numbers.end(), ofTriangles.begin(), ofTriangles.end());
+  recon::AddArray(output->GetCellData(), name, numbers);
 }
 
 void FillPolyData(const recon::ShelledMesh& shells, vtkPolyData* output)
@@ -50,8 +41,8 @@ void FillPolyData(const recon::ShelledMesh& shells, vtkPolyData* output)
     lines->InsertCellPoint(contour.front());
   }
   output->SetLines(lines);
-  AddCellArray("ShellId", shells.ShellOfContour, shells.ShellOfTriangle, output);
-  AddCellArray("ShellSet", shells.ShellSetOfContour, shells.ShellSetOfTriangle, output);
+  AddNumbers("ShellId", shells.ShellOfContour, shells.ShellOfTriangle, output);
+  AddNumbers("ShellSet", shells.ShellSetOfContour, shells.ShellSetOfTriangle, output);
 }
 }
 
@@ -80,22 +71,12 @@ int vtkBRepReader::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  const recon::FileOutcome outcome = recon::TryFile(this->FileName,
-    "a boundary representation (.brep)", vtkErrorCode::FileFormatError,
+  this->SetErrorCode(recon::RunOnFile(this, this->FileName, "a boundary representation (.brep)",
+    vtkErrorCode::FileFormatError, { output },
     [&]
     {
       vtkContourMonitor monitor(this);
       FillPolyData(recon::MakeMesh(recon::ReadBRep(this->FileName, monitor)), output);
-    });
-  this->SetErrorCode(outcome.ErrorCode);
-  if (!outcome.IsWhole())
-  {
-    output->Initialize();
-  }
-  if (!outcome.Sentence.empty())
-  {
-    vtkErrorMacro(<< outcome.Sentence);
-    return 0;
-  }
+    }));
   return 1;
 }

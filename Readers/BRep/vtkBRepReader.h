@@ -23,13 +23,13 @@
 #define vtkBRepReader_h
 
 #include "BRepReadersModule.h" // for the export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkContourAlgorithm.h"
 
-class BREPREADERS_EXPORT vtkBRepReader : public vtkPolyDataAlgorithm
+class BREPREADERS_EXPORT vtkBRepReader : public vtkContourAlgorithm
 {
 public:
   static vtkBRepReader* New();
-  vtkTypeMacro(vtkBRepReader, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkBRepReader, vtkContourAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{

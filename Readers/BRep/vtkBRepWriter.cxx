@@ -2,9 +2,9 @@
 #include "vtkBRepWriter.h"
 
 #include "BRep/BRepFormatter.h"
-#include "Common/FileOutcome.h"
 #include "ContourConversion.h"
 #include "Contours/ContourChaining.h"
+#include "RunCore.h"
 #include "vtkContourMonitor.h"
 
 #include "vtkCellData.h"
@@ -123,8 +123,8 @@ int vtkBRepWriter::FillInputPortInformation(int port, vtkInformation* info)
 
 void vtkBRepWriter::WriteData()
 {
-  const recon::FileOutcome outcome = recon::TryFile(this->FileName, "the file to write (.brep)",
-    vtkErrorCode::CannotOpenFileError,
+  this->SetErrorCode(recon::RunOnFile(this, this->FileName, "the file to write (.brep)",
+    vtkErrorCode::CannotOpenFileError, {},
     [&]
     {
       vtkPolyData* surface = vtkPolyData::SafeDownCast(this->GetInput());
@@ -146,10 +146,5 @@ void vtkBRepWriter::WriteData()
                         << " contours (the first is number " << missing.front()
                         << ") do not run along edges of the surface and were left out.");
       }
-    });
-  this->SetErrorCode(outcome.ErrorCode);
-  if (!outcome.Sentence.empty())
-  {
-    vtkErrorMacro(<< outcome.Sentence);
-  }
+    }));
 }

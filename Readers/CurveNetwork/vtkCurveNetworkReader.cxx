@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkCurveNetworkReader.h"
 
-#include "Common/FileOutcome.h"
 #include "ContourConversion.h"
 #include "CurveNetwork/CurveNetworkParser.h"
+#include "FieldArrays.h"
+#include "RunCore.h"
+#include "vtkContourAlgorithm.h"
 #include "vtkContourMonitor.h"
 
 #include "vtkCellData.h"
@@ -11,7 +13,6 @@
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPartitionedDataSet.h"
@@ -55,17 +56,13 @@ namespace
 void FillMaterial(const recon::MaterialContours& material, vtkPolyData* output)
 {
   const std::vector<int> chains = recon::ToPolyData(material.Soup, output);
-  vtkNew<vtkIntArray> planes;
-  planes->SetName("Plane");
+  std::vector<int> planes;
   for (const int chain : chains)
   {
-    planes->InsertNextValue(material.Planes[static_cast<std::size_t>(chain)]);
+    planes.push_back(material.Planes[static_cast<std::size_t>(chain)]);
   }
-  output->GetCellData()->AddArray(planes);
-  vtkNew<vtkIntArray> label;
-  label->SetName("Material");
-  label->InsertNextValue(material.Label);
-  output->GetFieldData()->AddArray(label);
+  recon::AddArray(output->GetCellData(), "Plane", planes);
+  recon::AddValue(output->GetFieldData(), "Material", material.Label);
 }
 
 void FillMaterials(const recon::CurveNetwork& network, vtkPartitionedDataSetCollection* output)
@@ -97,6 +94,12 @@ void vtkCurveNetworkReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << endl;
+}
+
+const char* vtkCurveNetworkReader::GetReport()
+{
+  this->ReportText = vtkContourAlgorithm::ReportOf(this);
+  return this->ReportText.c_str();
 }
 
 int vtkCurveNetworkReader::CanReadFile(const char* fileName)
@@ -147,11 +150,10 @@ int vtkCurveNetworkReader::RequestData(
   if (!outcome.Sentence.empty())
   {
     vtkErrorMacro(<< outcome.Sentence);
-    return 0;
   }
   if (!outcome.IsWhole())
   {
-    return 1; // stopped by the user
+    return 1; // or stopped by the user
   }
   auto* polyData = vtkPolyData::SafeDownCast(output);
   auto* collection = vtkPartitionedDataSetCollection::SafeDownCast(output);
@@ -160,7 +162,7 @@ int vtkCurveNetworkReader::RequestData(
     vtkErrorMacro(
       "The file " << this->FileName << " has changed while it was read; read it again.");
     this->SetErrorCode(vtkErrorCode::FileFormatError);
-    return 0;
+    return 1;
   }
   if (polyData)
   {

@@ -27,6 +27,7 @@
 #include "vtkDataObjectAlgorithm.h"
 
 #include <memory> // for std::unique_ptr
+#include <string> // for std::string
 
 class CURVENETWORKREADERS_EXPORT vtkCurveNetworkReader : public vtkDataObjectAlgorithm
 {
@@ -48,6 +49,9 @@ public:
    */
   static int CanReadFile(const char* fileName);
 
+  /// See vtkContourAlgorithm.
+  const char* GetReport();
+
 protected:
   vtkCurveNetworkReader();
   ~vtkCurveNetworkReader() override;
@@ -66,6 +70,7 @@ private:
 
   char* FileName = nullptr;
   std::unique_ptr<Internals> Implementation;
+  std::string ReportText; // what GetReport gave out last
 };
 
 #endif

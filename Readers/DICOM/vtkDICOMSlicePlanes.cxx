@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkDICOMSlicePlanes.h"
 
-#include "Common/FileOutcome.h"
 #include "DICOM/ReferenceSlices.h"
+#include "RunCore.h"
 #include "vtkContourMonitor.h"
 
 #include "vtkCellArray.h"
@@ -61,22 +61,13 @@ int vtkDICOMSlicePlanes::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  const recon::FileOutcome outcome = recon::TryFile(this->FileName,
+  this->SetErrorCode(recon::RunOnFile(this, this->FileName,
     "an RT structure set, or to an image of the series (.dcm)", vtkErrorCode::FileFormatError,
+    { output },
     [&]
     {
       vtkContourMonitor monitor(this);
       ToPolyData(recon::ReadReferenceSlices(this->FileName, monitor), output);
-    });
-  this->SetErrorCode(outcome.ErrorCode);
-  if (!outcome.IsWhole())
-  {
-    output->Initialize();
-  }
-  if (!outcome.Sentence.empty())
-  {
-    vtkErrorMacro(<< outcome.Sentence);
-    return 0;
-  }
+    }));
   return 1;
 }

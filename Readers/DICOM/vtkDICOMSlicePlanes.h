@@ -18,13 +18,13 @@
 #define vtkDICOMSlicePlanes_h
 
 #include "DICOMReadersModule.h" // for the export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkContourAlgorithm.h"
 
-class DICOMREADERS_EXPORT vtkDICOMSlicePlanes : public vtkPolyDataAlgorithm
+class DICOMREADERS_EXPORT vtkDICOMSlicePlanes : public vtkContourAlgorithm
 {
 public:
   static vtkDICOMSlicePlanes* New();
-  vtkTypeMacro(vtkDICOMSlicePlanes, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkDICOMSlicePlanes, vtkContourAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkRTStructureSetReader.h"
 
-#include "Common/FileOutcome.h"
 #include "ContourConversion.h"
 #include "DICOM/StructureSetFile.h"
+#include "RunCore.h"
+#include "vtkContourAlgorithm.h"
 #include "vtkContourMonitor.h"
 
 #include "vtkCellData.h"
@@ -99,6 +100,12 @@ vtkDataArraySelection* vtkRTStructureSetReader::GetROISelection()
   return this->ROISelection;
 }
 
+const char* vtkRTStructureSetReader::GetReport()
+{
+  this->ReportText = vtkContourAlgorithm::ReportOf(this);
+  return this->ReportText.c_str();
+}
+
 vtkMTimeType vtkRTStructureSetReader::GetMTime()
 {
   return std::max(this->Superclass::GetMTime(), this->ROISelection->GetMTime());
@@ -175,48 +182,38 @@ int vtkRTStructureSetReader::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   auto* output = vtkPartitionedDataSetCollection::GetData(outputVector);
-  const recon::FileOutcome outcome =
-    recon::TryFile(this->FileName, "a DICOM RT structure set (.dcm)", vtkErrorCode::FileFormatError,
-      [&]
+  this->SetErrorCode(recon::RunOnFile(this, this->FileName, "a DICOM RT structure set (.dcm)",
+    vtkErrorCode::FileFormatError, { output },
+    [&]
+    {
+      recon::StructureSetFile file(this->FileName);
+      const std::vector<recon::StructureSetROI>& rois = file.GetROIs();
+      std::vector<std::string> report = file.GetReport();
+      for (const std::string& name : this->UnknownSelected)
       {
-        recon::StructureSetFile file(this->FileName);
-        const std::vector<recon::StructureSetROI>& rois = file.GetROIs();
-        std::vector<std::string> report = file.GetReport();
-        for (const std::string& name : this->UnknownSelected)
+        report.push_back("The selected ROI \"" + name + "\" is not in the file.");
+      }
+      unsigned int block = 0;
+      for (std::size_t i = 0; i < rois.size(); ++i)
+      {
+        if (!this->ROISelection->ArrayIsEnabled(rois[i].Name.c_str()))
         {
-          report.push_back("The selected ROI \"" + name + "\" is not in the file.");
+          continue;
         }
-        unsigned int block = 0;
-        for (std::size_t i = 0; i < rois.size(); ++i)
-        {
-          if (!this->ROISelection->ArrayIsEnabled(rois[i].Name.c_str()))
-          {
-            continue;
-          }
-          const auto count = static_cast<double>(rois.size());
-          vtkContourMonitor monitor(
-            this, static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
-          const recon::StructureSetContours contours =
-            file.ReadContours(static_cast<int>(i), monitor);
-          vtkNew<vtkPolyData> contourData;
-          FillBlock(contours, contourData);
-          AddROIFieldData(rois[i], contourData->GetFieldData());
-          output->SetPartition(block, 0, contourData);
-          output->GetMetaData(block)->Set(vtkCompositeDataSet::NAME(), rois[i].Name.c_str());
-          report.insert(report.end(), contours.File.Report.begin(), contours.File.Report.end());
-          ++block;
-        }
-        recon::SetReport(report, output);
-      });
-  this->SetErrorCode(outcome.ErrorCode);
-  if (!outcome.IsWhole())
-  {
-    output->Initialize();
-  }
-  if (!outcome.Sentence.empty())
-  {
-    vtkErrorMacro(<< outcome.Sentence);
-    return 0;
-  }
+        const auto count = static_cast<double>(rois.size());
+        vtkContourMonitor monitor(
+          this, static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
+        const recon::StructureSetContours contours =
+          file.ReadContours(static_cast<int>(i), monitor);
+        vtkNew<vtkPolyData> contourData;
+        FillBlock(contours, contourData);
+        AddROIFieldData(rois[i], contourData->GetFieldData());
+        output->SetPartition(block, 0, contourData);
+        output->GetMetaData(block)->Set(vtkCompositeDataSet::NAME(), rois[i].Name.c_str());
+        report.insert(report.end(), contours.File.Report.begin(), contours.File.Report.end());
+        ++block;
+      }
+      recon::SetReport(report, output);
+    }));
   return 1;
 }

@@ -65,6 +65,9 @@ public:
 
   vtkMTimeType GetMTime() override;
 
+  /// See vtkContourAlgorithm.
+  const char* GetReport();
+
 protected:
   vtkRTStructureSetReader();
   ~vtkRTStructureSetReader() override;
@@ -82,6 +85,7 @@ private:
 
   char* FileName = nullptr;
   vtkNew<vtkDataArraySelection> ROISelection;
+  std::string ReportText;                   // what GetReport gave out last
   std::string ListedFile;                   // whose ROIs are in ROISelection
   std::vector<std::string> UnknownSelected; // selected names that the file does not have
 };

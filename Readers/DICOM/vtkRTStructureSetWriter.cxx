@@ -2,11 +2,11 @@
 #include "vtkRTStructureSetWriter.h"
 
 #include "Common/ClosedLoops.h"
-#include "Common/FileOutcome.h"
 #include "ContourConversion.h"
 #include "Contours/ContourSetBuilder.h"
 #include "DICOM/Keyholes.h"
 #include "DICOM/StructureSetFormatter.h"
+#include "RunCore.h"
 #include "vtkContourMonitor.h"
 
 #include "vtkCellArray.h"
@@ -390,8 +390,8 @@ int vtkRTStructureSetWriter::FillInputPortInformation(int, vtkInformation* info)
 
 void vtkRTStructureSetWriter::WriteData()
 {
-  const recon::FileOutcome outcome = recon::TryFile(this->FileName,
-    "the RT structure set to write (.dcm)", vtkErrorCode::CannotOpenFileError,
+  this->SetErrorCode(recon::RunOnFile(this, this->FileName, "the RT structure set to write (.dcm)",
+    vtkErrorCode::CannotOpenFileError, {},
     [&]
     {
       vtkContourMonitor monitor(this);
@@ -404,10 +404,5 @@ void vtkRTStructureSetWriter::WriteData()
       {
         vtkWarningMacro(<< line);
       }
-    });
-  this->SetErrorCode(outcome.ErrorCode);
-  if (!outcome.Sentence.empty())
-  {
-    vtkErrorMacro(<< outcome.Sentence);
-  }
+    }));
 }

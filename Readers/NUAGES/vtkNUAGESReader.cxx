@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkNUAGESReader.h"
 
-#include "Common/FileOutcome.h"
 #include "ContourConversion.h"
 #include "NUAGES/NUAGESParser.h"
+#include "RunCore.h"
 #include "vtkContourMonitor.h"
 
 #include "vtkInformation.h"
@@ -38,24 +38,14 @@ int vtkNUAGESReader::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  const recon::FileOutcome outcome =
-    recon::TryFile(this->FileName, "a NUAGES file (.cnt)", vtkErrorCode::FileFormatError,
-      [&]
-      {
-        vtkContourMonitor monitor(this);
-        const recon::ContourFile file = recon::ReadNUAGES(this->FileName, monitor);
-        recon::ToPolyData(file.Soup, output);
-        recon::SetReport(file.Report, output);
-      });
-  this->SetErrorCode(outcome.ErrorCode);
-  if (!outcome.IsWhole())
-  {
-    output->Initialize();
-  }
-  if (!outcome.Sentence.empty())
-  {
-    vtkErrorMacro(<< outcome.Sentence);
-    return 0;
-  }
+  this->SetErrorCode(recon::RunOnFile(this, this->FileName, "a NUAGES file (.cnt)",
+    vtkErrorCode::FileFormatError, { output },
+    [&]
+    {
+      vtkContourMonitor monitor(this);
+      const recon::ContourFile file = recon::ReadNUAGES(this->FileName, monitor);
+      recon::ToPolyData(file.Soup, output);
+      recon::SetReport(file.Report, output);
+    }));
   return 1;
 }

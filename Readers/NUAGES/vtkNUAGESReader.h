@@ -19,13 +19,13 @@
 #define vtkNUAGESReader_h
 
 #include "NUAGESReadersModule.h" // for the export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkContourAlgorithm.h"
 
-class NUAGESREADERS_EXPORT vtkNUAGESReader : public vtkPolyDataAlgorithm
+class NUAGESREADERS_EXPORT vtkNUAGESReader : public vtkContourAlgorithm
 {
 public:
   static vtkNUAGESReader* New();
-  vtkTypeMacro(vtkNUAGESReader, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkNUAGESReader, vtkContourAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{

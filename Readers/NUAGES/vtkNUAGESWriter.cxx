@@ -2,9 +2,9 @@
 #include "vtkNUAGESWriter.h"
 
 #include "Common/ClosedLoops.h"
-#include "Common/FileOutcome.h"
 #include "ContourConversion.h"
 #include "NUAGES/NUAGESFormatter.h"
+#include "RunCore.h"
 #include "vtkContourMonitor.h"
 
 #include "vtkCellData.h"
@@ -117,8 +117,8 @@ int vtkNUAGESWriter::FillInputPortInformation(int, vtkInformation* info)
 
 void vtkNUAGESWriter::WriteData()
 {
-  const recon::FileOutcome outcome = recon::TryFile(this->FileName,
-    "the NUAGES file to write (.cnt)", vtkErrorCode::CannotOpenFileError,
+  this->SetErrorCode(recon::RunOnFile(this, this->FileName, "the NUAGES file to write (.cnt)",
+    vtkErrorCode::CannotOpenFileError, {},
     [&]
     {
       vtkContourMonitor monitor(this);
@@ -144,10 +144,5 @@ void vtkNUAGESWriter::WriteData()
       {
         vtkWarningMacro(<< line);
       }
-    });
-  this->SetErrorCode(outcome.ErrorCode);
-  if (!outcome.Sentence.empty())
-  {
-    vtkErrorMacro(<< outcome.Sentence);
-  }
+    }));
 }

@@ -24,6 +24,12 @@ for path in files:
                 continue
             proxy_name = element.get("name")
             where = f"{name}: {proxy_name}"
+            if group.get("name") == "contour_bases":
+                # Parts of nodes, not nodes; what they bring is documented all the same.
+                for prop in (part for part in element if part.tag.endswith("Property")):
+                    words = prop.findtext("Documentation")
+                    ct.check(words and words.strip(), f"{where}.{prop.get('name')} has a documentation")
+                continue
             text = element.findtext("Documentation")
             if text is None and element.find("Documentation") is not None:
                 text = ""
@@ -45,7 +51,8 @@ for path in files:
                 if prop.get("name") is None or prop.get("exposed_name") is not None:
                     continue
                 words = prop.findtext("Documentation")
-                ct.check(words and words.strip(), f"{where}.{prop.get('name')} has a documentation")
+                inherited = element.get("base_proxyname") and len(prop) == 0
+                ct.check(inherited or (words and words.strip()), f"{where}.{prop.get('name')} has a documentation")
                 ct.check(proxy.GetProperty(prop.get("name")) is not None,
                          f"{where}.{prop.get('name')} exists")
 ct.finish()

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "RunCore.h"
+
+#include "Base/Monitor.h"
+#include "ContourConversion.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkCellData.h"
+#include "vtkDataObject.h"
+#include "vtkFieldData.h"
+#include "vtkPolyData.h"
+#include "vtkStringArray.h"
+
+#include <algorithm>
+
+namespace recon
+{
+namespace
+{
+void Clear(Outputs outputs)
+{
+  for (vtkDataObject* output : outputs)
+  {
+    output->Initialize();
+  }
+}
+
+/// Whether the data are vertices of `GeometricType` POINT and nothing else: a marker, an isocentre.
+/// Vertices of other origin stay an error of whoever wants contours.
+bool IsPointsOfRegion(vtkPolyData* input)
+{
+  auto* types =
+    vtkStringArray::SafeDownCast(input->GetCellData()->GetAbstractArray("GeometricType"));
+  const vtkIdType cells = input->GetNumberOfCells();
+  if (!types || cells == 0 || cells != input->GetNumberOfVerts() ||
+    types->GetNumberOfValues() != cells)
+  {
+    return false;
+  }
+  for (vtkIdType i = 0; i < cells; ++i)
+  {
+    if (types->GetValue(i) != "POINT")
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+std::string RegionOf(vtkDataObject* input)
+{
+  auto* names = vtkStringArray::SafeDownCast(input->GetFieldData()->GetAbstractArray("ROIName"));
+  return names && names->GetNumberOfValues() > 0
+    ? "Region \"" + std::string(names->GetValue(0)) + "\""
+    : std::string("The region");
+}
+
+void SayIn(Outputs outputs, vtkDataObject* input, const std::string& sentence)
+{
+  std::vector<std::string> report = GetReport(input);
+  report.push_back(sentence);
+  for (vtkDataObject* output : outputs)
+  {
+    FinishOutput(input, report, output);
+  }
+}
+
+/// Whether there was nothing to work on; the outputs say it then.
+bool PassNothing(vtkAlgorithm* filter, vtkDataObject* input, Outputs outputs)
+{
+  auto* data = vtkPolyData::SafeDownCast(input);
+  if (!data)
+  {
+    return false;
+  }
+  if (data->GetNumberOfPoints() == 0 && data->GetNumberOfCells() == 0)
+  {
+    SayIn(outputs, data, "The input is empty, so the output is empty.");
+    return true;
+  }
+  if (IsPointsOfRegion(data))
+  {
+    const std::string sentence =
+      RegionOf(data) + " is points only, without a contour: nothing is made of it.";
+    SayIn(outputs, data, sentence);
+    vtkWarningWithObjectMacro(filter, << sentence);
+    return true;
+  }
+  return false;
+}
+
+bool IsMissing(vtkDataObject* input, Outputs outputs)
+{
+  return !input || std::find(outputs.begin(), outputs.end(), nullptr) != outputs.end();
+}
+}
+
+int RunCore(vtkAlgorithm* filter, vtkDataObject* input, const char* needs, Outputs outputs,
+  const std::function<void()>& work)
+{
+  if (IsMissing(input, outputs))
+  {
+    vtkErrorWithObjectMacro(filter, << "There is no input. This filter needs " << needs << ".");
+    return 1;
+  }
+  if (PassNothing(filter, input, outputs))
+  {
+    return 1;
+  }
+  return RunOnAnything(filter, outputs, work);
+}
+
+int RunOnAnything(vtkAlgorithm* filter, Outputs outputs, const std::function<void()>& work)
+{
+  try
+  {
+    work();
+  }
+  catch (const Aborted&)
+  {
+    Clear(outputs);
+  }
+  catch (const std::exception& error)
+  {
+    Clear(outputs);
+    vtkErrorWithObjectMacro(filter, << error.what());
+  }
+  return 1;
+}
+
+FileOutcome TryFile(
+  const char* fileName, const char* kind, unsigned long failure, const std::function<void()>& work)
+{
+  if (!fileName || !*fileName)
+  {
+    return { vtkErrorCode::NoFileNameError,
+      std::string("No file name is set: set FileName to ") + kind + "." };
+  }
+  try
+  {
+    work();
+    return {};
+  }
+  catch (const Aborted&)
+  {
+    return { vtkErrorCode::UserError, {} };
+  }
+  catch (const std::exception& error)
+  {
+    return { failure, error.what() };
+  }
+}
+
+unsigned long RunOnFile(vtkAlgorithm* algorithm, const char* fileName, const char* kind,
+  unsigned long failure, Outputs outputs, const std::function<void()>& work)
+{
+  const FileOutcome outcome = TryFile(fileName, kind, failure, work);
+  if (!outcome.IsWhole())
+  {
+    Clear(outputs);
+  }
+  if (!outcome.Sentence.empty())
+  {
+    vtkErrorWithObjectMacro(algorithm, << outcome.Sentence);
+  }
+  return outcome.ErrorCode;
+}
+
+void FinishOutput(
+  vtkDataObject* input, const std::vector<std::string>& report, vtkDataObject* output)
+{
+  vtkFieldData* from = input->GetFieldData();
+  vtkFieldData* to = output->GetFieldData();
+  for (int a = 0; a < from->GetNumberOfArrays(); ++a)
+  {
+    vtkAbstractArray* array = from->GetAbstractArray(a);
+    if (array->GetName() && !to->HasArray(array->GetName()))
+    {
+      to->AddArray(array);
+    }
+  }
+  SetReport(report, output);
+}
+}

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkContourAlgorithm.h"
+
+#include "ContourConversion.h"
+#include "SurfaceBlocks.h"
+
+#include "vtkDataObject.h"
+#include "vtkInformation.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+#include <vector>
+
+vtkStandardNewMacro(vtkContourAlgorithm);
+
+namespace
+{
+/// More lines than this do not help in a panel; all are in the field data.
+constexpr std::size_t MostLines = 100;
+
+/// Lines of the output as a whole where it has some, as those of a reader hold those of its blocks.
+std::vector<std::string> LinesOf(vtkDataObject* output)
+{
+  std::vector<std::string> lines = recon::GetReport(output);
+  if (!lines.empty())
+  {
+    return lines;
+  }
+  for (const recon::NamedPolyData& block : recon::ListPolyData(output))
+  {
+    for (const std::string& line : recon::GetReport(block.Data))
+    {
+      lines.push_back(block.Name.empty() ? line : block.Name + ": " + line);
+    }
+  }
+  return lines;
+}
+}
+
+void vtkContourAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+}
+
+const char* vtkContourAlgorithm::GetReport()
+{
+  this->ReportText = vtkContourAlgorithm::ReportOf(this);
+  return this->ReportText.c_str();
+}
+
+std::string vtkContourAlgorithm::ReportOf(vtkAlgorithm* algorithm)
+{
+  vtkDataObject* output = algorithm->GetOutputDataObject(0);
+  if (!output || output->GetUpdateTime() == 0)
+  {
+    return {};
+  }
+  const std::vector<std::string> lines = LinesOf(output);
+  if (lines.empty())
+  {
+    return "Nothing was changed or left out.";
+  }
+  std::string text =
+    lines.size() == 1 ? "One thing to know:" : std::to_string(lines.size()) + " things to know:";
+  for (std::size_t i = 0; i < lines.size() && i < MostLines; ++i)
+  {
+    text += "\n- " + lines[i];
+  }
+  if (lines.size() > MostLines)
+  {
+    text += "\n- ... and " + std::to_string(lines.size() - MostLines) +
+      " more, in the field data array Report.";
+  }
+  return text;
+}

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @class vtkContourSetAlgorithm
+ * @brief How contours are read, which is the same in every filter that takes them.
+ *
+ * Input: vtkPolyData whose closed loops are polylines, polygons or loose two-point segments, in any
+ * unit, order and sense of rotation. They are chained, closed, cleaned, grouped by planes and
+ * nested before anything else is done with them.
+ *
+ * An empty input gives an empty output that says so in `Report`; so does a region of a structure
+ * set that is points only. A surface, points without cells, and contours of which not one is usable
+ * give an error.
+ */
+#ifndef vtkContourSetAlgorithm_h
+#define vtkContourSetAlgorithm_h
+
+#include "ContourFiltersModule.h" // for export macro
+#include "vtkContourAlgorithm.h"
+
+namespace recon
+{
+struct ContourSet;
+class Monitor;
+}
+
+class CONTOURFILTERS_EXPORT vtkContourSetAlgorithm : public vtkContourAlgorithm
+{
+public:
+  vtkTypeMacro(vtkContourSetAlgorithm, vtkContourAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum HoleRuleType
+  {
+    Automatic = 0,
+    EvenOdd = 1,
+    Winding = 2,
+    Keyhole = 3
+  };
+
+  ///@{
+  /**
+   * Which contours of a plane are walls of holes.
+   *
+   * - Automatic, the default: even-odd on every plane. It is right for holes that are drawn in
+   *   either direction, for CLOSEDPLANAR_XOR contours and for keyholes, whatever mixture of them a
+   *   file has; directions are not trusted, since most systems store them at random.
+   * - EvenOdd: a place inside an odd number of contours is solid.
+   * - Winding: a place that the contours wind around, in the direction in which they are given, is
+   *   solid (nonzero rule): contours within contours of the same direction are no holes, and
+   *   contours of the same direction that overlap are united. The direction of loose segments is
+   *   that of the first of a chain.
+   * - Keyhole, DICOM's own reading of CLOSED_PLANAR: every contour is solid, holes are only those
+   *   that a contour itself walks around by a bridge, and the contours of a plane are united.
+   *
+   * Planes with CLOSEDPLANAR_XOR contours (cell array `GeometricType`) go by even-odd always.
+   */
+  vtkSetClampMacro(HoleRule, int, Automatic, Keyhole);
+  vtkGetMacro(HoleRule, int);
+  ///@}
+
+  ///@{
+  /**
+   * Points nearer to a plane than this fraction of the bounding box's diagonal lie in it; loose
+   * ends nearer to each other than that are joined. 1e-5 by default.
+   */
+  vtkSetClampMacro(PlaneTolerance, double, 0.0, 0.1);
+  vtkGetMacro(PlaneTolerance, double);
+  ///@}
+
+protected:
+  vtkContourSetAlgorithm() = default;
+  ~vtkContourSetAlgorithm() override = default;
+
+  /**
+   * Clean contours of the input by the properties above. What the input's own Report says, and what
+   * of it can be no contour, comes first in their Report.
+   *
+   * @param parallel whether contours of other planes than most are left out
+   * @throws recon::Error, recon::Aborted
+   */
+  recon::ContourSet ReadContours(vtkPolyData* input, bool parallel, recon::Monitor& monitor);
+
+private:
+  vtkContourSetAlgorithm(const vtkContourSetAlgorithm&) = delete;
+  void operator=(const vtkContourSetAlgorithm&) = delete;
+
+  int HoleRule = Automatic;
+  double PlaneTolerance = 1e-5;
+};
+
+#endif

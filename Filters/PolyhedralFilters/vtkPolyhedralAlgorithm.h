@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @class vtkPolyhedralAlgorithm
+ * @brief The properties of the Polyhedral Surface Method, for the whole and for its stages.
+ *
+ * They are the same with the same defaults in vtkPolyhedralSurface, vtkContourTriangulation and
+ * vtkJointVoronoiDiagram, so that a stage shows what the surface is made of.
+ */
+#ifndef vtkPolyhedralAlgorithm_h
+#define vtkPolyhedralAlgorithm_h
+
+#include "PolyhedralFiltersModule.h" // for the export macro
+#include "vtkContourSetAlgorithm.h"
+
+#include <utility>
+#include <vector>
+
+class vtkTable;
+
+namespace recon
+{
+struct PolyhedralOptions;
+}
+
+class POLYHEDRALFILTERS_EXPORT vtkPolyhedralAlgorithm : public vtkContourSetAlgorithm
+{
+public:
+  vtkTypeMacro(vtkPolyhedralAlgorithm, vtkContourSetAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Insert vertices of the neighbouring levels' external Voronoi skeletons into a level
+   * (thesis 5.3). They let a surface branch between contours. On by default.
+   */
+  vtkSetMacro(InternalPoints, bool);
+  vtkGetMacro(InternalPoints, bool);
+  vtkBooleanMacro(InternalPoints, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Move internal points out of their level's plane, into the slab that asked for them
+   * (thesis 6.2), so that ridges between branches lie between the levels. On by default.
+   */
+  vtkSetMacro(LiftInternalPoints, bool);
+  vtkGetMacro(LiftInternalPoints, bool);
+  vtkBooleanMacro(LiftInternalPoints, bool);
+  ///@}
+
+  enum MappingMode
+  {
+    Proximity = 0,
+    Overlap = 1
+  };
+  enum EndCapMode
+  {
+    Flat = 0,
+    HalfSlice = 1,
+    Tapered = 2,
+    NoCaps = 3
+  };
+  enum IsolatedContourMode
+  {
+    Drop = 0,
+    Extrude = 1
+  };
+
+  ///@{
+  /**
+   * Which contours of adjacent levels may be joined: Proximity lets the Voronoi diagrams alone
+   * decide (thesis chapter 5); Overlap, the default, joins only regions that share more than
+   * OverlapThreshold of the smaller one's area (thesis chapter 3). It is the default because
+   * Proximity bridges a finger that ends to its neighbour, which is a handle too many (see
+   * Data/TRUTH.md).
+   */
+  vtkSetClampMacro(Mapping, int, Proximity, Overlap);
+  vtkGetMacro(Mapping, int);
+  ///@}
+
+  ///@{
+  /// With Mapping Overlap: the share of the smaller region that two must have in common. Default
+  /// 0.1.
+  vtkSetClampMacro(OverlapThreshold, double, 0.0, 0.999999);
+  vtkGetMacro(OverlapThreshold, double);
+  ///@}
+
+  ///@{
+  /**
+   * Pairs of contours on adjacent levels (by the ContourId of vtkContourHierarchy) whose regions
+   * are joined, or not joined, whatever the mapping says. Forbidding wins over forcing.
+   */
+  void AddForcedJoin(int contour, int otherContour);
+  void RemoveAllForcedJoins();
+  void AddForbiddenJoin(int contour, int otherContour);
+  void RemoveAllForbiddenJoins();
+  ///@}
+
+  ///@{
+  /**
+   * Levels further apart than this many times the median spacing are not joined, with a line in
+   * `Report`; 0: all are. Default 5: a few skipped slices are bridged (the widest gap in one shape
+   * of the sets that the project is tested on is 3), two stacks of one name are not.
+   */
+  vtkSetClampMacro(MaximumGap, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MaximumGap, double);
+  ///@}
+
+  ///@{
+  /**
+   * How the surface ends above a contour that has no partner: Flat in its plane, HalfSlice
+   * straight on, Tapered, or NoCaps, open. Tapered also rounds off a part of a contour that ends
+   * although the rest goes on. It is the default because it is nearest to the truth (see
+   * Data/TRUTH.md). The volume that the caps add is in the field data `EndCapVolume`.
+   */
+  vtkSetClampMacro(EndCaps, int, Flat, NoCaps);
+  vtkGetMacro(EndCaps, int);
+  ///@}
+
+  ///@{
+  /**
+   * A contour without partner on both sides: Drop (default; a line in `Report`) or Extrude by half
+   * a slice each way (`IsolatedVolume`).
+   */
+  vtkSetClampMacro(IsolatedContours, int, Drop, Extrude);
+  vtkGetMacro(IsolatedContours, int);
+  ///@}
+
+  ///@{
+  /// Number of threads; 0, the default, takes all of the machine. The result does not depend on it.
+  vtkSetClampMacro(Threads, int, 0, 1024);
+  vtkGetMacro(Threads, int);
+  ///@}
+
+  /**
+   * Optional second input: a vtkTable whose columns `LowerContour`, `UpperContour` and `Join` (1
+   * force, 0 forbid) add to the forced and forbidden joins; the table that Contour Mapping gives,
+   * edited, will do.
+   */
+  void SetOverridesConnection(vtkAlgorithmOutput* overrides);
+
+protected:
+  vtkPolyhedralAlgorithm();
+  ~vtkPolyhedralAlgorithm() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+
+  /// @param overrides the second input, or nullptr
+  /// @throws recon::Error for a table that is none of overrides
+  recon::PolyhedralOptions GetOptions(vtkTable* overrides) const;
+
+private:
+  vtkPolyhedralAlgorithm(const vtkPolyhedralAlgorithm&) = delete;
+  void operator=(const vtkPolyhedralAlgorithm&) = delete;
+
+  bool InternalPoints = true;
+  bool LiftInternalPoints = true;
+  int Mapping = Overlap;
+  double OverlapThreshold = 0.1;
+  std::vector<std::pair<int, int>> ForcedJoins;
+  std::vector<std::pair<int, int>> ForbiddenJoins;
+  double MaximumGap = 5.0;
+  int EndCaps = Tapered;
+  int IsolatedContours = Drop;
+  int Threads = 0;
+};
+
+#endif
