@@ -135,13 +135,17 @@ void FillSkeletons(const recon::ContourSet& contours, const Levels& levels, vtkP
 Levels Triangulate(const recon::ContourSet& contours, const recon::PolyhedralOptions& options,
   recon::Monitor& monitor, std::vector<std::string>& report)
 {
+  Levels levels;
   if (contours.Levels.size() > 1)
   {
     recon::PolyhedralStages stages = recon::BuildPolyhedralStages(contours, options, monitor);
     report.insert(report.end(), stages.Report.begin(), stages.Report.end());
-    return std::move(stages.Triangulations);
+    for (auto& level : stages.Levels)
+    {
+      levels.push_back(std::move(level.Triangulation));
+    }
+    return levels;
   }
-  Levels levels;
   levels.push_back(recon::LevelTriangulator(contours, 0).Finish());
   return levels;
 }

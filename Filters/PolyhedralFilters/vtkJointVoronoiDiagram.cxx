@@ -24,8 +24,8 @@ vtkStandardNewMacro(vtkJointVoronoiDiagram);
 
 namespace
 {
-using Levels = std::vector<recon::LevelTriangulation>;
-using Slabs = std::vector<recon::SlabTetrahedra>;
+using Levels = std::vector<recon::LevelState>;
+using Slabs = std::vector<recon::SlabState>;
 using Tetrahedron = recon::SlabTetrahedra::Tetrahedron;
 
 /// NodeType, Kept and Reason: a value a tetrahedron, for the cells of port 0 and the points of
@@ -33,11 +33,11 @@ using Tetrahedron = recon::SlabTetrahedra::Tetrahedron;
 void AddNodeArrays(const Slabs& slabs, vtkFieldData* data)
 {
   std::vector<int> nodeType, kept, reason;
-  for (const recon::SlabTetrahedra& slab : slabs)
+  for (const recon::SlabState& slab : slabs)
   {
-    for (const Tetrahedron& t : slab.Tetrahedra)
+    for (const Tetrahedron& t : slab.Diagram.Tetrahedra)
     {
-      nodeType.push_back(t.NodeType);
+      nodeType.push_back(t.Node);
       kept.push_back(t.Reason == recon::SlabTetrahedra::Kept ? 1 : 0);
       reason.push_back(t.Reason);
     }
@@ -57,7 +57,7 @@ std::vector<vtkIdType> InsertLevelPoints(
   std::vector<int> pointLevel, pointKind;
   for (std::size_t l = 0; l < levels.size(); ++l)
   {
-    const recon::LevelTriangulation& t = levels[l];
+    const recon::LevelTriangulation& t = levels[l].Triangulation;
     const recon::Level& plane = contours.Levels[l];
     first.push_back(points->GetNumberOfPoints());
     for (std::size_t p = 0; p < t.Points.size(); ++p)
@@ -84,7 +84,7 @@ void FillTetrahedra(const recon::ContourSet& contours, const Levels& levels, con
   std::vector<int> number;
   for (std::size_t s = 0; s < slabs.size(); ++s)
   {
-    for (const Tetrahedron& t : slabs[s].Tetrahedra)
+    for (const Tetrahedron& t : slabs[s].Diagram.Tetrahedra)
     {
       vtkIdType ids[4];
       for (int k = 0; k < 4; ++k)
@@ -132,13 +132,13 @@ recon::Point2 NodePosition(const Tetrahedron& t, const recon::LevelTriangulation
 {
   const std::array<recon::Point2, 4> corners = CornersOf(t, lower, upper);
   recon::Point2 node;
-  if (t.NodeType == recon::SlabTetrahedra::T12)
+  if (t.Node == recon::SlabTetrahedra::T12)
   {
     node = CrossingOfBisectors(corners);
   }
   else
   {
-    node = (t.NodeType == recon::SlabTetrahedra::T1 ? lower : upper).VoronoiVertex(t.Origin[0]);
+    node = (t.Node == recon::SlabTetrahedra::T1 ? lower : upper).VoronoiVertex(t.Origin[0]);
   }
   if (std::isfinite(node[0]) && std::isfinite(node[1]))
   {
@@ -163,10 +163,10 @@ void FillGraph(
   {
     const vtkIdType first = points->GetNumberOfPoints();
     const double height = 0.5 * (contours.Levels[s].Offset + contours.Levels[s + 1].Offset);
-    for (std::size_t i = 0; i < slabs[s].Tetrahedra.size(); ++i)
+    for (std::size_t i = 0; i < slabs[s].Diagram.Tetrahedra.size(); ++i)
     {
-      const Tetrahedron& t = slabs[s].Tetrahedra[i];
-      const recon::Point2 node = NodePosition(t, levels[s], levels[s + 1]);
+      const Tetrahedron& t = slabs[s].Diagram.Tetrahedra[i];
+      const recon::Point2 node = NodePosition(t, levels[s].Triangulation, levels[s + 1].Triangulation);
       points->InsertNextPoint(contours.Levels[s].Frame.ToSpace(node, height).data());
       for (const int n : t.Neighbours)
       {
@@ -219,8 +219,8 @@ int vtkJointVoronoiDiagram::RequestData(
       vtkContourMonitor building(this, 0.1, 1.0);
       const recon::PolyhedralStages stages = recon::BuildPolyhedralStages(
         contours, this->GetOptions(vtkTable::GetData(inputVector[1], 0)), building);
-      FillTetrahedra(contours, stages.Triangulations, stages.Slabs, tetrahedra);
-      FillGraph(contours, stages.Triangulations, stages.Slabs, graph);
+      FillTetrahedra(contours, stages.Levels, stages.Slabs, tetrahedra);
+      FillGraph(contours, stages.Levels, stages.Slabs, graph);
       std::vector<std::string> report = contours.Report;
       report.insert(report.end(), stages.Report.begin(), stages.Report.end());
       for (vtkDataObject* output : std::initializer_list<vtkDataObject*>{ tetrahedra, graph })

@@ -120,7 +120,7 @@ std::vector<std::vector<Kernel::Point_3>> SlabPoints(const PolyhedralStages& sta
   {
     for (std::size_t l : { i, i + 1 })
     {
-      for (const Point2& p : stages.Triangulations[l].Points)
+      for (const Point2& p : stages.Levels[l].Triangulation.Points)
       {
         slabs[i].emplace_back(p[0], p[1], stages.Levels[l].Offset);
       }
@@ -161,7 +161,7 @@ Figures Measure(const Case& c, int repeat)
     const PolyhedralStages stages = BuildPolyhedralStages(contours, options, monitor);
     for (const auto& slab : stages.Slabs)
     {
-      figures.Tetrahedra += slab.Tetrahedra.size();
+      figures.Tetrahedra += slab.Diagram.Tetrahedra.size();
     }
     slabs = SlabPoints(stages);
   }

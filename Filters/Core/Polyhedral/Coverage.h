@@ -13,7 +13,7 @@
 #define recon_Coverage_h
 
 #include "Polyhedral/JointVoronoi.h"
-#include "Polyhedral/LevelGeometry.h"
+#include "Polyhedral/LiftedHeights.h"
 
 #include <vector>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "Polyhedral/JointVoronoi.h"
+#include "Polyhedral/Elimination.h"
 
 #include "Polyhedral/JointVoronoiPredicates.h"
 #include "Polyhedral/VertexRegions.h"
@@ -57,7 +57,7 @@ public:
   {
     for (Tetrahedron& t : this->Slab.Tetrahedra)
     {
-      t.Reason = t.NodeType == SlabTetrahedra::T12 ? this->ReasonOfT12(t) : this->ReasonOfBase(t);
+      t.Reason = t.Node == SlabTetrahedra::T12 ? this->ReasonOfT12(t) : this->ReasonOfBase(t);
     }
     while (this->DropLooseT12() || this->DropLooseBases())
     {
@@ -68,13 +68,13 @@ public:
 private:
   SlabTetrahedra::ReasonType ReasonOfBase(const Tetrahedron& t) const
   {
-    const auto& level = t.NodeType == SlabTetrahedra::T1 ? this->Level1 : this->Level2;
+    const auto& level = t.Node == SlabTetrahedra::T1 ? this->Level1 : this->Level2;
     if (!level.Inside[t.Origin[0]])
     {
       return SlabTetrahedra::ExternalEdge;
     }
     const int base = level.Region[t.Origin[0]];
-    const bool joined = t.NodeType == SlabTetrahedra::T1
+    const bool joined = t.Node == SlabTetrahedra::T1
       ? this->Regions2.AnyOf(t.Corners[3], [&](int r) { return this->Joins.AreJoined(base, r); })
       : this->Regions1.AnyOf(t.Corners[3], [&](int r) { return this->Joins.AreJoined(r, base); });
     return joined ? SlabTetrahedra::Kept : SlabTetrahedra::NotJoined;
@@ -125,7 +125,7 @@ private:
     for (std::size_t i = 0; i < this->Slab.Tetrahedra.size(); ++i)
     {
       Tetrahedron& t = this->Slab.Tetrahedra[i];
-      if (t.NodeType == SlabTetrahedra::T12 && t.Reason == SlabTetrahedra::Kept &&
+      if (t.Node == SlabTetrahedra::T12 && t.Reason == SlabTetrahedra::Kept &&
         !(solid1[i] && solid2[i]))
       {
         t.Reason = SlabTetrahedra::NonSolidConnection;
@@ -137,14 +137,13 @@ private:
 
   /// Flood from the kept bases of a level through the faces that run along its Voronoi edges.
   std::vector<unsigned char> SolidOn(
-    SlabTetrahedra::NodeTypeType base, const std::array<int, 2>& faces) const
+    SlabTetrahedra::NodeType base, const std::array<int, 2>& faces) const
   {
     std::vector<unsigned char> reached(this->Slab.Tetrahedra.size(), 0);
     std::vector<int> stack;
     const auto visit = [&](int i)
     {
-      if (this->IsKept(i) && !reached[i] &&
-        this->Slab.Tetrahedra[i].NodeType == SlabTetrahedra::T12)
+      if (this->IsKept(i) && !reached[i] && this->Slab.Tetrahedra[i].Node == SlabTetrahedra::T12)
       {
         reached[i] = 1;
         stack.push_back(i);

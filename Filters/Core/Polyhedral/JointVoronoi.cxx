@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Polyhedral/JointVoronoi.h"
 
+#include "Base/Monitor.h"
 #include "Polyhedral/JointVoronoiPredicates.h"
 #include "Polyhedral/VertexStars.h"
 

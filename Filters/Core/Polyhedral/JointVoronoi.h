@@ -19,9 +19,7 @@
 #ifndef recon_JointVoronoi_h
 #define recon_JointVoronoi_h
 
-#include "Base/Monitor.h"
 #include "Polyhedral/LevelTriangulation.h"
-#include "Polyhedral/SlabJoins.h"
 
 #include <array>
 #include <vector>
@@ -34,7 +32,7 @@ namespace recon
  */
 struct SlabTetrahedra
 {
-  enum NodeTypeType : unsigned char
+  enum NodeType : unsigned char
   {
     T1 = 1,
     T2 = 2,
@@ -63,7 +61,7 @@ struct SlabTetrahedra
     /// T1, T2: {triangle, -1}. T12: the Delaunay edges of level 1 and 2 as 3 * triangle + k, the
     /// lesser of the two such numbers that an edge has.
     std::array<int, 2> Origin;
-    NodeTypeType NodeType;
+    NodeType Node;
     ReasonType Reason;
   };
 
@@ -74,24 +72,12 @@ struct SlabTetrahedra
   /// Whether corner k of t belongs to level 2.
   static bool OnLevel2(const Tetrahedron& t, int k)
   {
-    return t.NodeType == T12 ? k >= 2 : (t.NodeType == T1) == (k == 3);
+    return t.Node == T12 ? k >= 2 : (t.Node == T1) == (k == 3);
   }
 };
 
 SlabTetrahedra BuildJointVoronoi(
   const LevelTriangulation& level1, const LevelTriangulation& level2);
-
-/// Region on the solid side of a Delaunay edge (as in Origin) that is not external.
-int RegionAtEdge(const LevelTriangulation& level, int edge);
-
-/**
- * Set Reason of every tetrahedron (thesis 5.5, 6.4).
- *
- * A T12 of two contour edges whose node lies outside both contours is not solid either: the thesis
- * keeps it, and it draws thin sheets and spikes across bays.
- */
-void EliminateTetrahedra(const LevelTriangulation& level1, const LevelTriangulation& level2,
-  const SlabJoins& joins, SlabTetrahedra& slab);
 }
 
 #endif

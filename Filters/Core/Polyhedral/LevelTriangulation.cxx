@@ -3,7 +3,6 @@
 
 #include "Base/Monitor.h"
 #include "Contours/PlanarRings.h"
-#include "Polyhedral/PolyhedralSurface.h"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -30,7 +29,7 @@ struct VertexInfo
 {
   int Source = -1;
   int Index = -1;
-  unsigned char Kind = PolyhedralSurface::AddedOnContour;
+  unsigned char Kind = LevelTriangulation::AddedOnContour;
   unsigned char AskedBy = 0;
 };
 
@@ -176,7 +175,7 @@ std::vector<VertexHandle> LevelTriangulator::Implementation::InsertContourVertic
     {
       VertexInfo info;
       info.Source = p;
-      info.Kind = PolyhedralSurface::InputVertex;
+      info.Kind = LevelTriangulation::InputVertex;
       points.emplace_back(
         Kernel::Point_2(this->Contours.Planar[p][0], this->Contours.Planar[p][1]), info);
       box += points.back().first.bbox();
@@ -293,7 +292,7 @@ void LevelTriangulator::Implementation::LabelChain(VertexHandle from, VertexHand
     {
       current = start->first->vertex(Triangulation::cw(start->second));
     }
-    while (current->info().Kind == PolyhedralSurface::AddedOnContour)
+    while (current->info().Kind == LevelTriangulation::AddedOnContour)
     {
       auto next = this->Delaunay.incident_edges(current);
       VertexHandle other;
@@ -489,7 +488,7 @@ void LevelTriangulator::AddPoints(
     VertexHandle twin;
     const bool insert = impl.MayInsert(p, inside, mayLieOnCircle, hint, where, twin);
     hint = where;
-    if (twin != VertexHandle() && twin->info().Kind == PolyhedralSurface::Internal)
+    if (twin != VertexHandle() && twin->info().Kind == LevelTriangulation::Internal)
     {
       twin->info().AskedBy = static_cast<unsigned char>(twin->info().AskedBy | askedBy);
     }
@@ -498,7 +497,7 @@ void LevelTriangulator::AddPoints(
       continue;
     }
     const VertexHandle v = impl.Delaunay.insert(p, where);
-    v->info().Kind = PolyhedralSurface::Internal;
+    v->info().Kind = LevelTriangulation::Internal;
     v->info().AskedBy = static_cast<unsigned char>(v->info().AskedBy | askedBy);
     impl.MarkStar(v, inside);
     hint = v->face();
@@ -521,7 +520,7 @@ void LevelTriangulator::AddCoverPoints(const std::vector<Point2>& points)
       continue;
     }
     const VertexHandle v = impl.Delaunay.insert(p, type, hint, index);
-    v->info().Kind = PolyhedralSurface::Internal;
+    v->info().Kind = LevelTriangulation::Internal;
     v->info().AskedBy = LevelTriangulation::Cover;
     impl.MarkStar(v, true);
     hint = v->face();

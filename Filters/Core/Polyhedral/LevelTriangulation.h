@@ -27,6 +27,13 @@ namespace recon
 /// The finished triangulation of a level. Coordinates are planar, in the frame of the level.
 struct LevelTriangulation
 {
+  enum PointKindType
+  {
+    InputVertex = 0,
+    AddedOnContour = 1, ///< thesis 5.1, 5.2
+    Internal = 2        ///< thesis 5.3
+  };
+
   enum AskedByType
   {
     LevelBelow = 1,
@@ -38,7 +45,7 @@ struct LevelTriangulation
 
   std::vector<Point2> Points;
   std::vector<int> Source;            ///< index into ContourSet::Points, or -1 for an added point
-  std::vector<unsigned char> Kind;    ///< PolyhedralSurface::PointKindType
+  std::vector<unsigned char> Kind;    ///< PointKindType
   std::vector<unsigned char> AskedBy; ///< of an internal point: AskedByType bits
   std::vector<std::array<int, 3>> Triangles;   ///< counterclockwise
   std::vector<std::array<int, 3>> Neighbours;  ///< k: across the edge opposite corner k, or -1

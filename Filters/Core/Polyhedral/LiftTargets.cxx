@@ -22,7 +22,7 @@ public:
   Targets(const LiftSide& side, const PolyhedralOptions& options)
     : Side(side),
       Options(options),
-      Level(*side.Level->Triangulation),
+      Level(side.Level->Triangulation),
       Regions(Level)
   {
   }
@@ -61,43 +61,47 @@ private:
   /// Signed, 0 = stays.
   double RiseOf(int point, int triangle) const
   {
-    if (this->Side.Covered->Isolated[triangle])
+    const Coverage& covered = this->Side.Level->Covered;
+    const double cap = this->Side.Towards * this->Side.CapThickness;
+    if (covered.Isolated[triangle])
     {
-      return this->Options.IsolatedContours == PolyhedralOptions::Extrude ? this->Side.EndSlab / 2
-                                                                          : 0;
+      return this->Options.IsolatedContours == PolyhedralOptions::Extrude ? cap / 2 : 0;
     }
-    const bool ends = (this->Side.Covered->Ends[triangle] & this->Side.Towards) != 0;
+    const bool above = this->Side.Towards > 0;
+    const int side = above ? LevelTriangulation::LevelAbove : LevelTriangulation::LevelBelow;
+    const bool ends = (covered.Ends[triangle] & side) != 0;
     if (ends && this->Options.EndCaps == PolyhedralOptions::HalfSlice)
     {
-      return this->Side.EndSlab / 2;
+      return cap / 2;
     }
-    if (this->Level.Kind[point] != PolyhedralSurface::Internal)
+    if (this->Level.Kind[point] != LevelTriangulation::Internal)
     {
       return 0;
     }
     const bool tapered = this->Options.EndCaps == PolyhedralOptions::Tapered;
     if (ends)
     {
-      return tapered ? this->Side.EndSlab * this->ShareOfEnd(point) : 0;
+      return tapered ? cap * this->ShareOfEnd(point) : 0;
     }
     const bool cover = (this->Level.AskedBy[point] & LevelTriangulation::Cover) != 0;
-    const bool passedOver = this->Options.LiftInternalPoints && (*this->Side.OutsideOther)[point];
+    const auto& outside = above ? this->Side.Level->OutsideAbove : this->Side.Level->OutsideBelow;
+    const bool passedOver = this->Options.LiftInternalPoints && outside[point];
     if (!cover && !passedOver)
     {
       return 0;
     }
-    const double dA = (*this->Side.Distance)(this->Level.Points[point]);
-    const double dB = (*this->Side.OtherDistance)(this->Level.Points[point]);
+    const double dA = (*this->Side.Level->Distance)(this->Level.Points[point]);
+    const double dB = (*this->Side.Neighbour->Distance)(this->Level.Points[point]);
     const double between = dA / (dA + dB);
-    return this->Side.Slab *
+    return (this->Side.Neighbour->Offset - this->Side.Level->Offset) *
       (tapered && passedOver ? std::max(between, this->ShareOfEnd(point)) : between);
   }
 
   double ShareOfEnd(int point) const
   {
     const Point2& p = this->Level.Points[point];
-    return EndShare(
-      p, (*this->Side.Distance)(p), this->Side.BehindDistance, !this->Side.OtherDistance);
+    const auto* behind = this->Side.Behind ? this->Side.Behind->Distance.get() : nullptr;
+    return EndShare(p, (*this->Side.Level->Distance)(p), behind, !this->Side.Neighbour);
   }
 
   const LiftSide& Side;

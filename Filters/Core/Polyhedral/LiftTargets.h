@@ -16,9 +16,8 @@
 #define recon_LiftTargets_h
 
 #include "Planar/PlanarContourDistance.h"
-#include "Polyhedral/Coverage.h"
-#include "Polyhedral/PolyhedralSurface.h"
-#include "Polyhedral/SolidComplex.h"
+#include "Polyhedral/LevelState.h"
+#include "Polyhedral/PolyhedralOptions.h"
 
 #include <vector>
 
@@ -27,18 +26,11 @@ namespace recon
 /// A level and what lies on the side in question.
 struct LiftSide
 {
-  const LevelGeometry* Level = nullptr;
-  const PlanarContourDistance* Distance = nullptr;
-  const Coverage* Covered = nullptr;
-  LevelTriangulation::AskedByType Towards = LevelTriangulation::LevelAbove;
-  const PlanarContourDistance* OtherDistance =
-    nullptr; ///< of the neighbour, null where there is none
-  const PlanarContourDistance* BehindDistance =
-    nullptr; ///< of the neighbour on the other side, null where there is none
-  const std::vector<unsigned char>* OutsideOther =
-    nullptr;          ///< of every point whether it lies outside the neighbour's contours
-  double Slab = 0;    ///< signed distance to the neighbour's plane
-  double EndSlab = 0; ///< signed thickness of which a cap takes half
+  const LevelState* Level;
+  const LevelState* Neighbour; ///< on that side, null where there is none
+  const LevelState* Behind;    ///< on the other side, null where there is none
+  int Towards;                 ///< 1 above, -1 below
+  double CapThickness;         ///< of which a cap takes half
 };
 
 /**

@@ -4,6 +4,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -32,16 +33,16 @@ constexpr double SmallestFirstStep = 1e-4;
 class SlabLifting
 {
 public:
-  SlabLifting(const LevelGeometry& level1, const LevelGeometry& level2, const SlabTetrahedra& slab,
+  SlabLifting(const LevelState& level1, const LevelState& level2, const SlabTetrahedra& slab,
     const std::vector<double>& targets1, const std::vector<double>& targets2)
-    : Levels{ { level1, level2 } },
+    : Levels{ { &level1, &level2 } },
       Slab(slab),
       Targets{ { targets1, targets2 } }
   {
     for (int side : { 0, 1 })
     {
-      const std::size_t count = this->Levels[side].Triangulation->Points.size();
-      this->Heights[side].assign(count, this->Levels[side].Offset);
+      const std::size_t count = this->Levels[side]->Triangulation.Points.size();
+      this->Heights[side].assign(count, this->Levels[side]->Offset);
       this->Stars[side].resize(count);
     }
   }
@@ -65,7 +66,7 @@ public:
     for (double& height : heights)
     {
       height =
-        height == this->Levels[side].Offset ? std::numeric_limits<double>::quiet_NaN() : height;
+        height == this->Levels[side]->Offset ? std::numeric_limits<double>::quiet_NaN() : height;
     }
     return heights;
   }
@@ -122,7 +123,7 @@ private:
     }
     const double way = this->Targets[side][point] - from;
     double& height = this->Heights[side][point];
-    const bool first = from == this->Levels[side].Offset;
+    const bool first = from == this->Levels[side]->Offset;
     const double smallest = first ? SmallestFirstStep : SmallestStep;
     for (double fraction = 1; fraction >= smallest; fraction /= 2)
     {
@@ -150,7 +151,7 @@ private:
     for (int k = 0; k < 4; ++k)
     {
       const int side = SlabTetrahedra::OnLevel2(t, k) ? 1 : 0;
-      const Point2& p = this->Levels[side].Triangulation->Points[t.Corners[k]];
+      const Point2& p = this->Levels[side]->Triangulation.Points[t.Corners[k]];
       corners[k] = { p[0], p[1], this->Heights[side][t.Corners[k]] };
     }
     return corners;
@@ -168,7 +169,7 @@ private:
     return CGAL::orientation(p[0], p[1], p[2], p[3]) == CGAL::POSITIVE;
   }
 
-  std::array<LevelGeometry, 2> Levels;
+  std::array<const LevelState*, 2> Levels;
   const SlabTetrahedra& Slab;
   std::array<std::vector<double>, 2> Heights;
   std::array<std::vector<double>, 2> Targets;
@@ -177,13 +178,12 @@ private:
 };
 }
 
-void LiftInternalPoints(const LevelGeometry& level1, const LevelGeometry& level2,
-  const SlabTetrahedra& slab, const std::vector<double>& targets1,
-  const std::vector<double>& targets2, LiftedHeights& lower, LiftedHeights& upper)
+void LiftInternalPoints(LevelState& level1, LevelState& level2, const SlabTetrahedra& slab,
+  const std::vector<double>& targets1, const std::vector<double>& targets2)
 {
   SlabLifting lifting(level1, level2, slab, targets1, targets2);
   lifting.Run();
-  lower.Above = lifting.LiftedHeightsOf(0);
-  upper.Below = lifting.LiftedHeightsOf(1);
+  level1.Lifted.Above = lifting.LiftedHeightsOf(0);
+  level2.Lifted.Below = lifting.LiftedHeightsOf(1);
 }
 }

@@ -6,7 +6,8 @@
 #ifndef recon_Lifting_h
 #define recon_Lifting_h
 
-#include "Polyhedral/SolidComplex.h"
+#include "Polyhedral/JointVoronoi.h"
+#include "Polyhedral/LevelState.h"
 
 namespace recon
 {
@@ -19,12 +20,11 @@ namespace recon
  * same.
  *
  * targets1, targets2: of every point of level 1 and 2 the height wanted, NaN where it is not to be
- * lifted. Writes lower.Above and upper.Below, each as long as the level's points, NaN where not
- * lifted.
+ * lifted. Writes Lifted.Above of level 1 and Lifted.Below of level 2, each as long as the level's
+ * points, NaN where not lifted.
  */
-void LiftInternalPoints(const LevelGeometry& level1, const LevelGeometry& level2,
-  const SlabTetrahedra& slab, const std::vector<double>& targets1,
-  const std::vector<double>& targets2, LiftedHeights& lower, LiftedHeights& upper);
+void LiftInternalPoints(LevelState& level1, LevelState& level2, const SlabTetrahedra& slab,
+  const std::vector<double>& targets1, const std::vector<double>& targets2);
 }
 
 #endif

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Polyhedral/PartialEnds.h"
 
+#include "Polyhedral/Elimination.h"
 #include "Polyhedral/LiftTargets.h"
 
 #include <set>
@@ -23,7 +24,7 @@ std::set<RegionPair> JoinedPairs(
   std::set<RegionPair> pairs;
   for (const auto& t : slab.Tetrahedra)
   {
-    if (t.Reason == SlabTetrahedra::Kept && t.NodeType == SlabTetrahedra::T12)
+    if (t.Reason == SlabTetrahedra::Kept && t.Node == SlabTetrahedra::T12)
     {
       pairs.emplace(RegionAtEdge(lower, t.Origin[0]), RegionAtEdge(upper, t.Origin[1]));
     }
@@ -35,27 +36,29 @@ std::set<RegionPair> JoinedPairs(
 bool IsNearerThanBehind(const SkeletonSide& side, std::size_t i, double across)
 {
   return !side.Behind ||
-    (RegionAt(*side.BehindLevel, (*side.BehindTriangles)[i]) < 0 &&
-      across <= (*side.Behind)((*side.Points)[i]));
+    (RegionAt(side.Behind->Triangulation, (*side.BehindTriangles)[i]) < 0 &&
+      across <= (*side.Behind->Distance)(side.Level->InternalSkeleton[i]));
 }
 
 std::vector<Point2> EndsOf(
   const SkeletonSide& side, const SkeletonSide& other, const std::set<int>& spared)
 {
   std::vector<Point2> ends;
-  for (std::size_t i = 0; i < side.Points->size(); ++i)
+  const std::vector<Point2>& skeleton = side.Level->InternalSkeleton;
+  const auto* behind = side.Behind ? side.Behind->Distance.get() : nullptr;
+  for (std::size_t i = 0; i < skeleton.size(); ++i)
   {
-    const int region = RegionAt(*side.Level, (*side.Triangles)[i]);
-    if (region < 0 || RegionAt(*other.Level, (*side.OtherTriangles)[i]) >= 0 ||
+    const int region = RegionAt(side.Level->Triangulation, (*side.Triangles)[i]);
+    if (region < 0 || RegionAt(other.Level->Triangulation, (*side.OtherTriangles)[i]) >= 0 ||
       spared.count(region) > 0)
     {
       continue;
     }
-    const Point2& p = (*side.Points)[i];
-    const double own = (*side.Distance)(p);
-    const double across = (*other.Distance)(p);
+    const Point2& p = skeleton[i];
+    const double own = (*side.Level->Distance)(p);
+    const double across = (*other.Level->Distance)(p);
     const double cone = own / (own + across);
-    if (!IsNearerThanBehind(side, i, across) && EndShare(p, own, side.Behind, false) > cone)
+    if (!IsNearerThanBehind(side, i, across) && EndShare(p, own, behind, false) > cone)
     {
       ends.push_back(p);
     }
@@ -67,19 +70,21 @@ std::vector<Point2> EndsOf(
 std::array<std::vector<Point2>, 2> FindPartialEnds(
   const SlabTetrahedra& slab, const SkeletonSide& lower, const SkeletonSide& upper)
 {
+  const LevelTriangulation& level1 = lower.Level->Triangulation;
+  const LevelTriangulation& level2 = upper.Level->Triangulation;
   std::set<RegionPair> seen;
-  for (std::size_t i = 0; i < lower.Points->size(); ++i)
+  for (std::size_t i = 0; i < lower.Triangles->size(); ++i)
   {
-    seen.emplace(RegionAt(*lower.Level, (*lower.Triangles)[i]),
-      RegionAt(*upper.Level, (*lower.OtherTriangles)[i]));
+    seen.emplace(
+      RegionAt(level1, (*lower.Triangles)[i]), RegionAt(level2, (*lower.OtherTriangles)[i]));
   }
-  for (std::size_t i = 0; i < upper.Points->size(); ++i)
+  for (std::size_t i = 0; i < upper.Triangles->size(); ++i)
   {
-    seen.emplace(RegionAt(*lower.Level, (*upper.OtherTriangles)[i]),
-      RegionAt(*upper.Level, (*upper.Triangles)[i]));
+    seen.emplace(
+      RegionAt(level1, (*upper.OtherTriangles)[i]), RegionAt(level2, (*upper.Triangles)[i]));
   }
   std::array<std::set<int>, 2> spared;
-  for (const RegionPair& pair : JoinedPairs(slab, *lower.Level, *upper.Level))
+  for (const RegionPair& pair : JoinedPairs(slab, level1, level2))
   {
     if (seen.count(pair) == 0)
     {

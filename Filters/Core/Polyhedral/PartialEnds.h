@@ -16,25 +16,23 @@
 #ifndef recon_PartialEnds_h
 #define recon_PartialEnds_h
 
-#include "Planar/PlanarContourDistance.h"
 #include "Polyhedral/JointVoronoi.h"
+#include "Polyhedral/LevelState.h"
 
 #include <array>
 #include <vector>
 
 namespace recon
 {
-/// The internal skeleton of a level beside its neighbour.
+/// A level with its internal skeleton beside its neighbour, and the triangles that hold the points
+/// of the skeleton: of its own level, and of the others or -1.
 struct SkeletonSide
 {
-  const LevelTriangulation* Level;
-  const PlanarContourDistance* Distance;
-  const PlanarContourDistance* Behind;     ///< of the level on the other side, or null
-  const std::vector<Point2>* Points;       ///< of the skeleton
-  const std::vector<int>* Triangles;       ///< of its own level that hold the points
-  const std::vector<int>* OtherTriangles;  ///< of the neighbour that hold the points, or -1
-  const LevelTriangulation* BehindLevel;   ///< null where Behind is
-  const std::vector<int>* BehindTriangles; ///< the same of the level behind
+  const LevelState* Level;
+  const LevelState* Behind; ///< the level on the other side, or null
+  const std::vector<int>* Triangles;
+  const std::vector<int>* OtherTriangles;
+  const std::vector<int>* BehindTriangles; ///< empty where there is no such level
 };
 
 /**

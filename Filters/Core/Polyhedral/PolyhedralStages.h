@@ -11,10 +11,9 @@
 
 #include "Base/Monitor.h"
 #include "Contours/ContourMapping.h"
-#include "Polyhedral/Coverage.h"
-#include "Polyhedral/JointVoronoi.h"
-#include "Polyhedral/LevelGeometry.h"
-#include "Polyhedral/PolyhedralSurface.h"
+#include "Polyhedral/LevelState.h"
+#include "Polyhedral/PolyhedralOptions.h"
+#include "Polyhedral/SlabState.h"
 
 #include <string>
 #include <utility>
@@ -25,18 +24,10 @@ namespace recon
 struct PolyhedralStages
 {
   ContourMapping Mapping;
-  std::vector<SlabJoins> Joins;                   ///< by slab
-  std::vector<LevelTriangulation> Triangulations; ///< by level
-  std::vector<LevelGeometry> Levels;              ///< the same in their places
-  std::vector<SlabTetrahedra> Slabs;              ///< slab i lies between levels i and i + 1
-  std::vector<Coverage> Coverages;                ///< by level
-  std::vector<LiftedHeights> Lifted;              ///< by level
+  std::vector<LevelState> Levels;
+  std::vector<SlabState> Slabs; ///< slab i lies between levels i and i + 1
   std::vector<std::string> Report;
   std::vector<std::pair<std::string, double>> StageSeconds; ///< wall time by stage
-
-  PolyhedralStages() = default;
-  PolyhedralStages(PolyhedralStages&&) = default; // Levels point into Triangulations: no copies
-  PolyhedralStages& operator=(PolyhedralStages&&) = default;
 };
 
 /// @throws Error where the contours are not parallel or span fewer than two levels; Aborted.

@@ -31,8 +31,7 @@ public:
   PolyhedralSurface Write()
   {
     this->Observer.Update(StagesShare, "extracting the surface");
-    const SolidComplex solid = BuildSolidComplex(
-      this->Stages.Levels, this->Stages.Slabs, this->Stages.Lifted, this->Stages.Coverages);
+    const SolidComplex solid = BuildSolidComplex(this->Stages.Levels, this->Stages.Slabs);
     this->Observer.Update(0.92, "extracting the surface");
     const SolidBoundary boundary = ExtractSolidBoundary(solid);
     this->Observer.Update(0.97, "extracting the surface");
@@ -47,7 +46,7 @@ private:
   Point3 PositionOf(const SolidComplex::Vertex& vertex) const
   {
     const int source =
-      vertex.Lifted ? -1 : this->Stages.Triangulations[vertex.Level].Source[vertex.Local];
+      vertex.Lifted ? -1 : this->Stages.Levels[vertex.Level].Triangulation.Source[vertex.Local];
     return source >= 0 ? this->Contours.Points[source]
                        : this->Contours.Levels[0].Frame.ToSpace(vertex.Planar, vertex.Height);
   }
@@ -55,8 +54,8 @@ private:
   /// A lifted copy of a contour point is not the contour's.
   int KindOf(const SolidComplex::Vertex& vertex) const
   {
-    return vertex.Lifted ? static_cast<int>(PolyhedralSurface::Internal)
-                         : this->Stages.Triangulations[vertex.Level].Kind[vertex.Local];
+    return vertex.Lifted ? static_cast<int>(LevelTriangulation::Internal)
+                         : this->Stages.Levels[vertex.Level].Triangulation.Kind[vertex.Local];
   }
 
   void CopyPoints(const SolidComplex& solid, const SolidBoundary& boundary)
@@ -69,7 +68,7 @@ private:
       if (point.OtherVertex >= 0)
       {
         position = 0.5 * (position + this->PositionOf(solid.Vertices[point.OtherVertex]));
-        kind = PolyhedralSurface::Internal;
+        kind = LevelTriangulation::Internal;
       }
       this->Result.Mesh.Points.push_back(position);
       this->Result.PointKind.push_back(kind);

@@ -20,12 +20,9 @@ struct Side
 class Builder
 {
 public:
-  Builder(const std::vector<LevelGeometry>& levels, const std::vector<SlabTetrahedra>& slabs,
-    const std::vector<LiftedHeights>& lifted, const std::vector<Coverage>& coverages)
+  Builder(const std::vector<LevelState>& levels, const std::vector<SlabState>& slabs)
     : Levels(levels),
-      Slabs(slabs),
-      Lifted(lifted),
-      Coverages(coverages)
+      Slabs(slabs)
   {
   }
 
@@ -37,7 +34,7 @@ public:
     std::vector<std::vector<Side>> below(this->Levels.size());
     for (std::size_t level = 0; level < this->Levels.size(); ++level)
     {
-      const std::size_t count = this->Levels[level].Triangulation->Triangles.size();
+      const std::size_t count = this->Levels[level].Triangulation.Triangles.size();
       above[level].resize(count);
       below[level].resize(count);
     }
@@ -46,9 +43,10 @@ public:
       this->AddSlab(static_cast<int>(slab), above[slab], below[slab + 1]);
     }
     const int last = static_cast<int>(this->Levels.size()) - 1;
-    this->FillGap(-1, 0, this->AddLiftedVertices(0, this->Lifted[0].Below), nullptr, below[0]);
     this->FillGap(
-      last, last, this->AddLiftedVertices(last, this->Lifted[last].Above), nullptr, above[last]);
+      -1, 0, this->AddLiftedVertices(0, this->Levels[0].Lifted.Below), nullptr, below[0]);
+    this->FillGap(last, last, this->AddLiftedVertices(last, this->Levels[last].Lifted.Above),
+      nullptr, above[last]);
     for (std::size_t level = 0; level < this->Levels.size(); ++level)
     {
       this->JoinAcrossPlane(static_cast<int>(level), above[level], below[level]);
@@ -61,7 +59,7 @@ private:
   {
     for (std::size_t level = 0; level < this->Levels.size(); ++level)
     {
-      const auto& points = this->Levels[level].Triangulation->Points;
+      const auto& points = this->Levels[level].Triangulation.Points;
       this->FirstVertex.push_back(static_cast<int>(this->Complex.Vertices.size()));
       for (std::size_t p = 0; p < points.size(); ++p)
       {
@@ -74,7 +72,7 @@ private:
   /// The vertices of a level as one of its slabs sees them: lifted copies where there are any.
   std::vector<int> AddLiftedVertices(int level, const std::vector<double>& heights)
   {
-    const auto& points = this->Levels[level].Triangulation->Points;
+    const auto& points = this->Levels[level].Triangulation.Points;
     std::vector<int> seen(points.size());
     for (std::size_t p = 0; p < points.size(); ++p)
     {
@@ -91,11 +89,11 @@ private:
 
   void AddSlab(int slab, std::vector<Side>& aboveLower, std::vector<Side>& belowUpper)
   {
-    this->Lower.push_back(this->AddLiftedVertices(slab, this->Lifted[slab].Above));
-    this->Upper.push_back(this->AddLiftedVertices(slab + 1, this->Lifted[slab + 1].Below));
+    this->Lower.push_back(this->AddLiftedVertices(slab, this->Levels[slab].Lifted.Above));
+    this->Upper.push_back(this->AddLiftedVertices(slab + 1, this->Levels[slab + 1].Lifted.Below));
     const std::vector<int>& lower = this->Lower.back();
     const std::vector<int>& upper = this->Upper.back();
-    const auto& tetrahedra = this->Slabs[slab].Tetrahedra;
+    const auto& tetrahedra = this->Slabs[slab].Diagram.Tetrahedra;
 
     std::vector<int> cellOf(tetrahedra.size(), -1);
     int next = static_cast<int>(this->Complex.Cells.size());
@@ -118,7 +116,7 @@ private:
       }
       this->Complex.Cells.push_back(cell);
     }
-    const int firstT2 = this->Slabs[slab].NumberOfT1;
+    const int firstT2 = this->Slabs[slab].Diagram.NumberOfT1;
     this->FillGap(slab, slab, lower, cellOf.data(), aboveLower);
     this->FillGap(slab, slab + 1, upper, cellOf.data() + firstT2, belowUpper);
   }
@@ -134,7 +132,7 @@ private:
   void FillGap(int slab, int level, const std::vector<int>& seen, const int* baseCells,
     std::vector<Side>& sides)
   {
-    const auto& triangulation = *this->Levels[level].Triangulation;
+    const auto& triangulation = this->Levels[level].Triangulation;
     const bool upwards = slab == level;
     const int count = static_cast<int>(triangulation.Triangles.size());
     // Of every corner of every triangle the cell that lifts it, or -1.
@@ -165,18 +163,18 @@ private:
   SolidComplex::PartType PartOf(int level, int t, bool upwards) const
   {
     const int side = upwards ? LevelTriangulation::LevelAbove : LevelTriangulation::LevelBelow;
-    if (this->Coverages[level].Isolated[t])
+    if (this->Levels[level].Covered.Isolated[t])
     {
       return SolidComplex::Isolated;
     }
-    return this->Coverages[level].Ends[t] & side ? SolidComplex::EndCap
-                                                 : SolidComplex::BetweenLevels;
+    return this->Levels[level].Covered.Ends[t] & side ? SolidComplex::EndCap
+                                                      : SolidComplex::BetweenLevels;
   }
 
   /// A triangle of IR belongs to the solid's closure but for isolated regions that are dropped.
   bool MustCover(int level, int t) const
   {
-    return this->Levels[level].Triangulation->Inside[t] && this->Coverages[level].MustCover(t);
+    return this->Levels[level].Triangulation.Inside[t] && this->Levels[level].Covered.MustCover(t);
   }
 
   /// Position in a gap cell of corner k of its triangle: one below the plane is the mirror image.
@@ -185,7 +183,7 @@ private:
   void AddGapCells(int slab, int level, int t, const std::vector<int>& seen, bool upwards,
     std::array<int, 3>& lifting, Side& side, int baseCell)
   {
-    const auto& corners = this->Levels[level].Triangulation->Triangles[t];
+    const auto& corners = this->Levels[level].Triangulation.Triangles[t];
     std::array<int, 3> current{};
     std::array<int, 3> order{ { 0, 1, 2 } };
     std::sort(order.begin(), order.end(), [&](int i, int j) { return corners[i] < corners[j]; });
@@ -280,15 +278,15 @@ private:
   {
     const bool upwards = level < static_cast<int>(this->Slabs.size());
     const int slab = upwards ? level : level - 1;
-    const auto& tetrahedra = this->Slabs[slab].Tetrahedra;
+    const auto& tetrahedra = this->Slabs[slab].Diagram.Tetrahedra;
     const int apex = upwards
       ? this->Upper[slab][tetrahedra[t].Corners[3]]
-      : this->Lower[slab][tetrahedra[this->Slabs[slab].NumberOfT1 + t].Corners[3]];
+      : this->Lower[slab][tetrahedra[this->Slabs[slab].Diagram.NumberOfT1 + t].Corners[3]];
     const auto& top = this->Complex.Vertices[apex];
-    const auto& triangulation = *this->Levels[level].Triangulation;
+    const auto& triangulation = this->Levels[level].Triangulation;
     const auto& corners = triangulation.Triangles[t];
-    const auto part =
-      this->Coverages[level].Isolated[t] ? SolidComplex::Isolated : SolidComplex::BetweenLevels;
+    const auto part = this->Levels[level].Covered.Isolated[t] ? SolidComplex::Isolated
+                                                              : SolidComplex::BetweenLevels;
     Cell cell{ {}, { { -1, -1, -1, -1 } }, slab, part };
     Point2 centroid{ { 0, 0 } };
     for (int k = 0; k < 3; ++k)
@@ -322,10 +320,8 @@ private:
     return twiceArea / perimeter;
   }
 
-  const std::vector<LevelGeometry>& Levels;
-  const std::vector<SlabTetrahedra>& Slabs;
-  const std::vector<LiftedHeights>& Lifted;
-  const std::vector<Coverage>& Coverages;
+  const std::vector<LevelState>& Levels;
+  const std::vector<SlabState>& Slabs;
   std::vector<int> FirstVertex;
   std::vector<std::vector<int>>
     Lower; ///< by slab: vertices of its lower level as the slab sees them
@@ -334,10 +330,9 @@ private:
 };
 }
 
-SolidComplex BuildSolidComplex(const std::vector<LevelGeometry>& levels,
-  const std::vector<SlabTetrahedra>& slabs, const std::vector<LiftedHeights>& lifted,
-  const std::vector<Coverage>& coverages)
+SolidComplex BuildSolidComplex(
+  const std::vector<LevelState>& levels, const std::vector<SlabState>& slabs)
 {
-  return Builder(levels, slabs, lifted, coverages).Build();
+  return Builder(levels, slabs).Build();
 }
 }

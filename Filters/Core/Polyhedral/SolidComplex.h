@@ -16,8 +16,8 @@
 #ifndef recon_SolidComplex_h
 #define recon_SolidComplex_h
 
-#include "Polyhedral/Coverage.h"
-#include "Polyhedral/JointVoronoi.h"
+#include "Polyhedral/LevelState.h"
+#include "Polyhedral/SlabState.h"
 
 #include <array>
 #include <vector>
@@ -59,9 +59,8 @@ struct SolidComplex
  * A triangle that must be covered and has no solid on either side (the acute tip of a contour,
  * where no point can be inserted) carries a low pyramid inside its own T1 or T2 tetrahedron.
  */
-SolidComplex BuildSolidComplex(const std::vector<LevelGeometry>& levels,
-  const std::vector<SlabTetrahedra>& slabs, const std::vector<LiftedHeights>& lifted,
-  const std::vector<Coverage>& coverages);
+SolidComplex BuildSolidComplex(
+  const std::vector<LevelState>& levels, const std::vector<SlabState>& slabs);
 }
 
 #endif

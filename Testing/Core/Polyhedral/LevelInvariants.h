@@ -181,7 +181,7 @@ inline void ExpectContourChain(const LevelTriangulation& level, const ContourSet
     ++walked;
     while (level.Source[current] < 0)
     {
-      ASSERT_EQ(level.Kind[current], PolyhedralSurface::AddedOnContour);
+      ASSERT_EQ(level.Kind[current], LevelTriangulation::AddedOnContour);
       const auto where = PlaceOnEdge(a, b, level.Points[current]);
       const double size =
         std::max({ std::abs(a[0]), std::abs(a[1]), std::abs(b[0]), std::abs(b[1]) });
@@ -214,7 +214,7 @@ inline void ExpectContourEdges(
   for (std::size_t p = 0; p < level.Points.size(); ++p)
   {
     const bool given = level.Source[p] >= 0;
-    mislabelled += given != (level.Kind[p] == PolyhedralSurface::InputVertex);
+    mislabelled += given != (level.Kind[p] == LevelTriangulation::InputVertex);
     moved += given && level.Points[p] != contours.Planar[level.Source[p]];
   }
   EXPECT_EQ(moved, 0) << "contour vertices that are not where they were given";
@@ -357,7 +357,7 @@ inline void ExpectInternalPointsInside(const LevelTriangulation& level)
     for (int k = 0; k < 3; ++k)
     {
       const int p = level.Triangles[t][k];
-      const bool internal = level.Kind[p] == PolyhedralSurface::Internal;
+      const bool internal = level.Kind[p] == LevelTriangulation::Internal;
       outside += internal && (!level.Inside[t] || level.EdgeContour[t][(k + 1) % 3] >= 0);
       EXPECT_EQ(internal, level.AskedBy[p] != 0) << "point " << p;
     }

@@ -229,7 +229,7 @@ inline LevelTriangulation TriangulatePoints(const Ring& points)
     level.Points.push_back(p);
   }
   level.Source.assign(points.size(), -1);
-  level.Kind.assign(points.size(), PolyhedralSurface::InputVertex);
+  level.Kind.assign(points.size(), LevelTriangulation::InputVertex);
   level.AskedBy.assign(points.size(), 0);
   level.StarTriangle.assign(points.size(), -1);
   for (auto f : delaunay.all_face_handles())

@@ -92,11 +92,11 @@ inline void ExpectNodeTypes(const SlabView& view)
       std::array<int, 3> triangle = level.Triangles[first ? i : i - slab.NumberOfT1];
       std::sort(base.begin(), base.end());
       std::sort(triangle.begin(), triangle.end());
-      wrong += t.NodeType != (first ? SlabTetrahedra::T1 : SlabTetrahedra::T2);
+      wrong += t.Node != (first ? SlabTetrahedra::T1 : SlabTetrahedra::T2);
       wrong += base != triangle || t.Neighbours[3] >= 0;
       continue;
     }
-    wrong += t.NodeType != SlabTetrahedra::T12;
+    wrong += t.Node != SlabTetrahedra::T12;
     for (int side : { 0, 1 })
     {
       const auto& level = side == 0 ? view.Level1 : view.Level2;
@@ -176,7 +176,7 @@ inline void ExpectFacesMatch(const SlabView& view)
   int inside = 0;
   for (const auto& s : single)
   {
-    if (view.Slab.Tetrahedra[s[0]].NodeType != SlabTetrahedra::T12 && s[1] == 3)
+    if (view.Slab.Tetrahedra[s[0]].Node != SlabTetrahedra::T12 && s[1] == 3)
     {
       continue; // the base of a T1 or T2 lies in the plane of its level
     }
@@ -273,7 +273,7 @@ inline void ExpectFillsHull(const SlabView& view)
   for (int i = 0; i < view.Count(); ++i)
   {
     const auto c = view.GlobalCorners(i);
-    const bool isT12 = view.Slab.Tetrahedra[i].NodeType == SlabTetrahedra::T12;
+    const bool isT12 = view.Slab.Tetrahedra[i].Node == SlabTetrahedra::T12;
     const auto u = difference(c[0], c[1]);
     const auto v = isT12 ? difference(c[2], c[3]) : difference(c[0], c[2]);
     const Rational cross = u[0] * v[1] - u[1] * v[0];

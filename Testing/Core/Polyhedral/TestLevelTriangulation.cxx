@@ -30,7 +30,7 @@ void ExpectSoundLevels(const RingStack& stack)
   }
 }
 
-int CountKind(const LevelTriangulation& level, PolyhedralSurface::PointKindType kind)
+int CountKind(const LevelTriangulation& level, LevelTriangulation::PointKindType kind)
 {
   return static_cast<int>(std::count(level.Kind.begin(), level.Kind.end(), kind));
 }
@@ -95,7 +95,7 @@ TEST(LevelTriangulation, RefinesWhereAnAngleIsObtuse)
   const ContourSet contours = BuildStack({ { flat }, { flat } });
   const auto level = TriangulateLevels(contours, false)[0];
   ExpectSoundLevel(level, contours, 0);
-  EXPECT_GT(CountKind(level, PolyhedralSurface::AddedOnContour), 0);
+  EXPECT_GT(CountKind(level, LevelTriangulation::AddedOnContour), 0);
 }
 
 TEST(LevelTriangulation, HoldsOnNeedles)
@@ -187,7 +187,7 @@ TEST(LevelTriangulation, InsertsEveryInternalPointThatMayBe)
   lower.AddInternalPoints(candidates, LevelTriangulation::LevelAbove);
   const auto level = lower.Finish();
   ExpectSoundLevel(level, contours, 0);
-  EXPECT_GT(CountKind(level, PolyhedralSurface::Internal), 10);
+  EXPECT_GT(CountKind(level, LevelTriangulation::Internal), 10);
   ExpectInsertedWhereAllowed(level, candidates);
 }
 
@@ -212,7 +212,7 @@ TEST(LevelTriangulation, RemembersWhoAskedForAPoint)
   std::map<Point2, int> askedBy;
   for (std::size_t p = 0; p < level.Points.size(); ++p)
   {
-    if (level.Kind[p] == PolyhedralSurface::Internal)
+    if (level.Kind[p] == LevelTriangulation::Internal)
     {
       askedBy[level.Points[p]] = level.AskedBy[p];
     }
@@ -236,5 +236,5 @@ TEST(LevelTriangulation, StaysSoundWithCoverPoints)
   lower.AddCoverPoints(points);
   const auto level = lower.Finish();
   ExpectSoundLevel(level, contours, 0);
-  EXPECT_GT(CountKind(level, PolyhedralSurface::Internal), 10);
+  EXPECT_GT(CountKind(level, LevelTriangulation::Internal), 10);
 }

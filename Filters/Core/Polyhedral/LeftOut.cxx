@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Polyhedral/LeftOut.h"
+
+#include "Polyhedral/Elimination.h"
+
+#include <algorithm>
+#include <sstream>
+
+namespace recon
+{
+namespace
+{
+bool IsMade(const LevelState& lower, const LevelState& upper, const SlabTetrahedra& slab, int wall1,
+  int wall2)
+{
+  return std::any_of(slab.Tetrahedra.begin(), slab.Tetrahedra.end(),
+    [&](const auto& t)
+    {
+      return t.Reason == SlabTetrahedra::Kept && t.Node == SlabTetrahedra::T12 &&
+        RegionAtEdge(lower.Triangulation, t.Origin[0]) == wall1 &&
+        RegionAtEdge(upper.Triangulation, t.Origin[1]) == wall2;
+    });
+}
+
+/// What a contour bounds, as bits: one that touches another or is touched by its holes may bound
+/// several regions, some of which are kept.
+constexpr unsigned char Kept = 1;
+constexpr unsigned char Isolated = 2;
+
+std::vector<unsigned char> WhatContoursBound(
+  const ContourSet& contours, const std::vector<LevelState>& levels)
+{
+  std::vector<unsigned char> bounds(contours.Contours.size(), 0);
+  for (const LevelState& level : levels)
+  {
+    const auto& triangulation = level.Triangulation;
+    for (std::size_t t = 0; t < triangulation.Triangles.size(); ++t)
+    {
+      for (int contour : triangulation.EdgeContour[t])
+      {
+        if (contour >= 0 && triangulation.Inside[t])
+        {
+          bounds[contour] |= level.Covered.Isolated[t] ? Isolated : Kept;
+        }
+      }
+    }
+  }
+  return bounds;
+}
+
+std::string LeftOutLine(
+  const ContourSet& contours, std::size_t c, bool inPart, const PolyhedralOptions& options)
+{
+  const Contour& contour = contours.Contours[c];
+  std::ostringstream line;
+  line << "Contour " << c << " (level " << contour.Level << ", offset "
+       << contours.Levels[contour.Level].Offset << ", " << contour.Points.size()
+       << " points): left out"
+       << (inPart ? " in part, as it bounds several regions that only touch and one of them is "
+                    "joined to no contour of the levels next to it"
+                  : ", as it is joined to no contour of the levels next to it")
+       << "; set IsolatedContours to Extrude to keep it as a slice"
+       << (options.Mapping == PolyhedralOptions::Overlap
+              ? ", or Mapping to Proximity to join it to what is near."
+              : ".");
+  return line.str();
+}
+}
+
+void ReportJoinsNotMade(const ContourMapping& mapping, const std::vector<LevelState>& levels,
+  const std::vector<SlabState>& slabs, std::vector<std::string>& report)
+{
+  for (const ContourJoin& join : mapping.Joins)
+  {
+    if (join.Rule != ContourJoin::Forced || join.LowerRegion < 0 || join.UpperRegion < 0)
+    {
+      continue;
+    }
+    const int lower = mapping.Regions[join.LowerRegion].Wall;
+    const int upper = mapping.Regions[join.UpperRegion].Wall;
+    if (!IsMade(levels[join.Slab], levels[join.Slab + 1], slabs[join.Slab].Diagram, lower, upper))
+    {
+      std::ostringstream line;
+      line << "The join of contours " << lower << " and " << upper
+           << " was asked for but cannot be made: other contours lie between them, so that their "
+              "Voronoi regions do not meet.";
+      report.push_back(line.str());
+    }
+  }
+}
+
+void ReportContoursLeftOut(const ContourSet& contours, const std::vector<LevelState>& levels,
+  const PolyhedralOptions& options, std::vector<std::string>& report)
+{
+  if (options.IsolatedContours == PolyhedralOptions::Extrude)
+  {
+    return;
+  }
+  const std::vector<unsigned char> bounds = WhatContoursBound(contours, levels);
+  for (std::size_t c = 0; c < bounds.size(); ++c)
+  {
+    if (bounds[c] & Isolated)
+    {
+      report.push_back(LeftOutLine(contours, c, (bounds[c] & Kept) != 0, options));
+    }
+  }
+}
+}

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @file LeftOut.h
+ * @brief Tells of what was drawn or asked for and is not part of the surface.
+ */
+#ifndef recon_LeftOut_h
+#define recon_LeftOut_h
+
+#include "Contours/ContourMapping.h"
+#include "Polyhedral/LevelState.h"
+#include "Polyhedral/PolyhedralOptions.h"
+#include "Polyhedral/SlabState.h"
+
+#include <string>
+#include <vector>
+
+namespace recon
+{
+/// A line for every join that was asked for and that no tetrahedron makes.
+void ReportJoinsNotMade(const ContourMapping& mapping, const std::vector<LevelState>& levels,
+  const std::vector<SlabState>& slabs, std::vector<std::string>& report);
+
+/// A line for every contour of isolated regions, unless these are extruded.
+void ReportContoursLeftOut(const ContourSet& contours, const std::vector<LevelState>& levels,
+  const PolyhedralOptions& options, std::vector<std::string>& report);
+}
+
+#endif

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Polyhedral/MapSlabs.h"
+
+#include <algorithm>
+#include <sstream>
+
+namespace recon
+{
+namespace
+{
+std::string GapLine(
+  const ContourSet& contours, const std::vector<SlabState>& slabs, std::size_t i, double maximumGap)
+{
+  std::ostringstream line;
+  line << "The levels at offsets " << contours.Levels[i].Offset << " and "
+       << contours.Levels[i + 1].Offset << " are " << slabs[i].Thickness / MedianThickness(slabs)
+       << " times the usual spacing apart and are not joined; MaximumGap is " << maximumGap
+       << ", and 0 joins all.";
+  return line.str();
+}
+
+ContourMappingOptions MappingOptions(const PolyhedralOptions& options)
+{
+  ContourMappingOptions mapping;
+  mapping.OverlapThreshold = options.OverlapThreshold;
+  mapping.ForcedJoins = options.ForcedJoins;
+  mapping.ForbiddenJoins = options.ForbiddenJoins;
+  mapping.MaximumGap = options.MaximumGap;
+  mapping.Threads = options.Threads;
+  return mapping;
+}
+
+void UseJoin(const ContourMapping& mapping, const ContourJoin& join, std::vector<SlabState>& slabs)
+{
+  if (join.LowerRegion < 0 || join.UpperRegion < 0)
+  {
+    return;
+  }
+  const auto& lower = mapping.Regions[join.LowerRegion];
+  const auto& upper = mapping.Regions[join.UpperRegion];
+  SlabJoins& joins = slabs[join.Slab].Joins;
+  const bool exception = joins.AllByDefault ? join.Rule == ContourJoin::Forbidden : join.Joined;
+  if (lower.Solid && upper.Solid && exception)
+  {
+    joins.Exceptions.insert({ lower.Wall, upper.Wall });
+  }
+}
+}
+
+double MedianThickness(const std::vector<SlabState>& slabs)
+{
+  std::vector<double> all;
+  for (const SlabState& slab : slabs)
+  {
+    all.push_back(slab.Thickness);
+  }
+  const auto median = all.begin() + (all.size() - 1) / 2;
+  std::nth_element(all.begin(), median, all.end());
+  return *median;
+}
+
+ContourMapping MapSlabs(const ContourSet& contours, const PolyhedralOptions& options,
+  std::vector<SlabState>& slabs, std::vector<std::string>& report, Monitor& monitor)
+{
+  const bool overlap = options.Mapping == PolyhedralOptions::Overlap;
+  const std::vector<unsigned char> gaps = FindGaps(contours, options.MaximumGap);
+  for (std::size_t i = 0; i < slabs.size(); ++i)
+  {
+    slabs[i].Joins.IsGap = gaps[i] != 0;
+    slabs[i].Joins.AllByDefault = !overlap && gaps[i] == 0;
+    if (gaps[i] != 0)
+    {
+      report.push_back(GapLine(contours, slabs, i, options.MaximumGap));
+    }
+  }
+  if (!overlap && options.ForbiddenJoins.empty() && options.ForcedJoins.empty())
+  {
+    return {};
+  }
+  ContourMapping mapping = BuildContourMapping(contours, MappingOptions(options), monitor);
+  report.insert(report.end(), mapping.Report.begin(), mapping.Report.end());
+  for (const ContourJoin& join : mapping.Joins)
+  {
+    UseJoin(mapping, join, slabs);
+  }
+  return mapping;
+}
+}

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @file PolyhedralOptions.h
+ * @brief What may be chosen about the Polyhedral Surface Method.
+ */
+#ifndef recon_PolyhedralOptions_h
+#define recon_PolyhedralOptions_h
+
+#include "Contours/ContourMapping.h"
+
+#include <utility>
+#include <vector>
+
+namespace recon
+{
+/// The defaults are the thesis's own method, with flat ends; those of the filter that users meet
+/// are what comes nearest to the truth.
+struct PolyhedralOptions
+{
+  enum MappingType
+  {
+    Proximity = 0, ///< the Voronoi diagrams alone decide what is joined
+    Overlap = 1 ///< only regions that overlap by more than OverlapThreshold are (thesis chapter 3)
+  };
+  enum EndCapsType
+  {
+    Flat = 0,      ///< in the plane of the contour: no volume added
+    HalfSlice = 1, ///< half a slice straight on, as planning systems count volumes
+    Tapered = 2,   ///< rounded off: see EndShare and PartialEnds.h
+    NoCaps = 3     ///< left open: the surface is then not closed
+  };
+  enum IsolatedContoursType
+  {
+    Drop = 0,   ///< left out, with a line in Report
+    Extrude = 1 ///< half a slice each way
+  };
+
+  bool InternalPoints = true;     ///< thesis 5.3
+  bool LiftInternalPoints = true; ///< thesis 6.2
+  MappingType Mapping = Proximity;
+  double OverlapThreshold = 0.1;                   ///< share of the smaller region, in [0, 1)
+  std::vector<std::pair<int, int>> ForcedJoins;    ///< pairs of ContourId on adjacent levels
+  std::vector<std::pair<int, int>> ForbiddenJoins; ///< wins over ForcedJoins
+  /// Slabs thicker than this many median spacings are not bridged; 0 = all are.
+  double MaximumGap = DefaultMaximumGap;
+  EndCapsType EndCaps = Flat;
+  IsolatedContoursType IsolatedContours = Drop;
+  int Threads = 0; ///< 0 = as many as the machine has; the result does not depend on it
+};
+}
+
+#endif
