@@ -143,6 +143,10 @@ Levels Triangulate(const recon::ContourSet& contours, const recon::PolyhedralOpt
     for (auto& level : stages.Levels)
     {
       levels.push_back(std::move(level.Triangulation));
+      for (recon::Point2& point : levels.back().Points)
+      {
+        point = stages.Alignment.Undo(point, level.Offset);
+      }
     }
     return levels;
   }

@@ -24,7 +24,7 @@ vtkStandardNewMacro(vtkJointVoronoiDiagram);
 
 namespace
 {
-using Levels = std::vector<recon::LevelState>;
+using Stages = recon::PolyhedralStages;
 using Slabs = std::vector<recon::SlabState>;
 using Tetrahedron = recon::SlabTetrahedra::Tetrahedron;
 
@@ -49,22 +49,22 @@ void AddNodeArrays(const Slabs& slabs, vtkFieldData* data)
 
 /// Number of the first point of every level, in the order of the levels.
 std::vector<vtkIdType> InsertLevelPoints(
-  const recon::ContourSet& contours, const Levels& levels, vtkUnstructuredGrid* output)
+  const recon::ContourSet& contours, const Stages& stages, vtkUnstructuredGrid* output)
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   std::vector<vtkIdType> first;
   std::vector<int> pointLevel, pointKind;
-  for (std::size_t l = 0; l < levels.size(); ++l)
+  for (std::size_t l = 0; l < stages.Levels.size(); ++l)
   {
-    const recon::LevelTriangulation& t = levels[l].Triangulation;
+    const recon::LevelTriangulation& t = stages.Levels[l].Triangulation;
     const recon::Level& plane = contours.Levels[l];
     first.push_back(points->GetNumberOfPoints());
     for (std::size_t p = 0; p < t.Points.size(); ++p)
     {
       const recon::Point3 position = t.Source[p] >= 0
         ? contours.Points[t.Source[p]]
-        : plane.Frame.ToSpace(t.Points[p], plane.Offset);
+        : plane.Frame.ToSpace(stages.Alignment.Undo(t.Points[p], plane.Offset), plane.Offset);
       points->InsertNextPoint(position.data());
       pointLevel.push_back(static_cast<int>(l));
       pointKind.push_back(t.Kind[p]);
@@ -76,10 +76,11 @@ std::vector<vtkIdType> InsertLevelPoints(
   return first;
 }
 
-void FillTetrahedra(const recon::ContourSet& contours, const Levels& levels, const Slabs& slabs,
-  vtkUnstructuredGrid* output)
+void FillTetrahedra(
+  const recon::ContourSet& contours, const Stages& stages, vtkUnstructuredGrid* output)
 {
-  const std::vector<vtkIdType> first = InsertLevelPoints(contours, levels, output);
+  const Slabs& slabs = stages.Slabs;
+  const std::vector<vtkIdType> first = InsertLevelPoints(contours, stages, output);
   vtkNew<vtkCellArray> cells;
   std::vector<int> number;
   for (std::size_t s = 0; s < slabs.size(); ++s)
@@ -152,9 +153,9 @@ recon::Point2 NodePosition(const Tetrahedron& t, const recon::LevelTriangulation
   return node;
 }
 
-void FillGraph(
-  const recon::ContourSet& contours, const Levels& levels, const Slabs& slabs, vtkPolyData* output)
+void FillGraph(const recon::ContourSet& contours, const Stages& stages, vtkPolyData* output)
 {
+  const Slabs& slabs = stages.Slabs;
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> lines;
@@ -166,8 +167,10 @@ void FillGraph(
     for (std::size_t i = 0; i < slabs[s].Diagram.Tetrahedra.size(); ++i)
     {
       const Tetrahedron& t = slabs[s].Diagram.Tetrahedra[i];
-      const recon::Point2 node = NodePosition(t, levels[s].Triangulation, levels[s + 1].Triangulation);
-      points->InsertNextPoint(contours.Levels[s].Frame.ToSpace(node, height).data());
+      const recon::Point2 node =
+        NodePosition(t, stages.Levels[s].Triangulation, stages.Levels[s + 1].Triangulation);
+      points->InsertNextPoint(
+        contours.Levels[s].Frame.ToSpace(stages.Alignment.Undo(node, height), height).data());
       for (const int n : t.Neighbours)
       {
         if (n > static_cast<int>(i))
@@ -219,8 +222,8 @@ int vtkJointVoronoiDiagram::RequestData(
       vtkContourMonitor building(this, 0.1, 1.0);
       const recon::PolyhedralStages stages = recon::BuildPolyhedralStages(
         contours, this->GetOptions(vtkTable::GetData(inputVector[1], 0)), building);
-      FillTetrahedra(contours, stages.Levels, stages.Slabs, tetrahedra);
-      FillGraph(contours, stages.Levels, stages.Slabs, graph);
+      FillTetrahedra(contours, stages, tetrahedra);
+      FillGraph(contours, stages, graph);
       std::vector<std::string> report = contours.Report;
       report.insert(report.end(), stages.Report.begin(), stages.Report.end());
       for (vtkDataObject* output : std::initializer_list<vtkDataObject*>{ tetrahedra, graph })

@@ -77,6 +77,7 @@ recon::PolyhedralOptions vtkPolyhedralAlgorithm::GetOptions(vtkTable* overrides)
   options.ForcedJoins = joins.ForcedJoins;
   options.ForbiddenJoins = joins.ForbiddenJoins;
   options.MaximumGap = this->MaximumGap;
+  options.AlignLevels = static_cast<recon::LevelAlignmentMode>(this->AlignLevels);
   options.EndCaps = static_cast<recon::PolyhedralOptions::EndCapsType>(this->EndCaps);
   options.IsolatedContours =
     static_cast<recon::PolyhedralOptions::IsolatedContoursType>(this->IsolatedContours);
@@ -95,6 +96,7 @@ void vtkPolyhedralAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "ForcedJoins: " << this->ForcedJoins.size() << '\n'
      << indent << "ForbiddenJoins: " << this->ForbiddenJoins.size() << '\n'
      << indent << "MaximumGap: " << this->MaximumGap << '\n'
+     << indent << "AlignLevels: " << this->AlignLevels << '\n'
      << indent << "EndCaps: " << this->EndCaps << '\n'
      << indent << "IsolatedContours: " << this->IsolatedContours << '\n'
      << indent << "Threads: " << this->Threads << '\n';

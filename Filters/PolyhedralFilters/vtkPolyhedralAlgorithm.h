@@ -108,6 +108,19 @@ public:
 
   ///@{
   /**
+   * Shift levels onto one another before they are joined, and the surface back: for oblique shapes
+   * whose sections hardly overlap (blades, swept wings, thin tubes, oblique shafts). 0: off; 1
+   * (default): where two neighbouring levels have one outer contour each, of comparable size, these
+   * share less than half of the smaller one, and the line through their centroids leans less than
+   * 45 degrees; 2: wherever two neighbouring levels have one outer contour each. Contours of a
+   * forced join that have no overlap are shifted onto one another in any case.
+   */
+  vtkSetClampMacro(AlignLevels, int, 0, 2);
+  vtkGetMacro(AlignLevels, int);
+  ///@}
+
+  ///@{
+  /**
    * How the surface ends above a contour that has no partner: Flat in its plane, HalfSlice
    * straight on, Tapered, or NoCaps, open. Tapered also rounds off a part of a contour that ends
    * although the rest goes on. It is the default because it is nearest to the truth (see
@@ -160,6 +173,7 @@ private:
   std::vector<std::pair<int, int>> ForcedJoins;
   std::vector<std::pair<int, int>> ForbiddenJoins;
   double MaximumGap = 5.0;
+  int AlignLevels = 1;
   int EndCaps = Tapered;
   int IsolatedContours = Drop;
   int Threads = 0;

@@ -7,6 +7,7 @@
 #define recon_PolyhedralOptions_h
 
 #include "Contours/ContourMapping.h"
+#include "Contours/LevelAlignment.h"
 
 #include <utility>
 #include <vector>
@@ -43,6 +44,7 @@ struct PolyhedralOptions
   std::vector<std::pair<int, int>> ForbiddenJoins; ///< wins over ForcedJoins
   /// Slabs thicker than this many median spacings are not bridged; 0 = all are.
   double MaximumGap = DefaultMaximumGap;
+  LevelAlignmentMode AlignLevels = LevelAlignmentMode::Off; ///< of oblique shapes
   EndCapsType EndCaps = Flat;
   IsolatedContoursType IsolatedContours = Drop;
   int Threads = 0; ///< 0 = as many as the machine has; the result does not depend on it

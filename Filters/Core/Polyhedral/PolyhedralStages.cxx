@@ -324,6 +324,14 @@ PolyhedralStages BuildPolyhedralStages(const ContourSet& contours, const Polyhed
   {
     throw Error("The contours lie in one plane only; a solid needs at least two parallel levels.");
   }
-  return Builder(contours, options, monitor, progressEnd).Build();
+  LevelAlignment alignment = FindLevelAlignment(contours, options.AlignLevels, options.ForcedJoins);
+  auto shifted = alignment.IsEmpty() ? std::unique_ptr<ContourSet>()
+                                     : std::make_unique<ContourSet>(Aligned(contours, alignment));
+  PolyhedralStages stages =
+    Builder(shifted ? *shifted : contours, options, monitor, progressEnd).Build();
+  stages.Report.insert(stages.Report.begin(), alignment.Report.begin(), alignment.Report.end());
+  stages.Alignment = std::move(alignment);
+  stages.Shifted = std::move(shifted);
+  return stages;
 }
 }

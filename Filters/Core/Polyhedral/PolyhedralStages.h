@@ -11,10 +11,12 @@
 
 #include "Base/Monitor.h"
 #include "Contours/ContourMapping.h"
+#include "Contours/LevelAlignment.h"
 #include "Polyhedral/LevelState.h"
 #include "Polyhedral/PolyhedralOptions.h"
 #include "Polyhedral/SlabState.h"
 
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,6 +25,9 @@ namespace recon
 {
 struct PolyhedralStages
 {
+  /// How levels were shifted onto one another; planar coordinates of Levels are shifted ones.
+  LevelAlignment Alignment;
+  std::unique_ptr<ContourSet> Shifted; ///< the contours as the stages see them, where they were
   ContourMapping Mapping;
   std::vector<LevelState> Levels;
   std::vector<SlabState> Slabs; ///< slab i lies between levels i and i + 1

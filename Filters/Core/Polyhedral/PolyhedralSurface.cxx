@@ -47,8 +47,10 @@ private:
   {
     const int source =
       vertex.Lifted ? -1 : this->Stages.Levels[vertex.Level].Triangulation.Source[vertex.Local];
-    return source >= 0 ? this->Contours.Points[source]
-                       : this->Contours.Levels[0].Frame.ToSpace(vertex.Planar, vertex.Height);
+    return source >= 0
+      ? this->Contours.Points[source]
+      : this->Contours.Levels[0].Frame.ToSpace(
+          this->Stages.Alignment.Undo(vertex.Planar, vertex.Height), vertex.Height);
   }
 
   /// A lifted copy of a contour point is not the contour's.
