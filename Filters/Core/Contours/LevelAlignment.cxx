@@ -18,6 +18,9 @@ constexpr double EnoughOverlap = 0.5;
 /// Tangent of the angle between the normal and the line through two centroids up to which they are
 /// taken for one shape unasked: 45 degrees. Beyond, two shapes side by side are as likely.
 constexpr double SteepestLean = 1;
+/// Of sections one of which is smaller than this part of the other, the smaller is the end of a
+/// shape, where it lies is its own matter, and Contour Mapping deals with it.
+constexpr double ComparableAreas = 0.25;
 /// A shift by less than this part of the mean width of a section changes little, so the overlap,
 /// which takes time, is not even measured.
 constexpr double WorthAShift = 0.25;
@@ -126,7 +129,7 @@ private:
     Finding finding{ What::Facing, this->Between(*a, *b), this->Mode == LevelAlignmentMode::On };
     const double length = std::hypot(finding.Step[0], finding.Step[1]);
     const double width = std::min(this->MeanWidthOf(*a), this->MeanWidthOf(*b));
-    if (finding.Shifts || length < WorthAShift * width ||
+    if (finding.Shifts || !this->AreComparable(*a, *b) || length < WorthAShift * width ||
       this->OverlapOf(slab, *a, *b) >= EnoughOverlap)
     {
       return finding;
@@ -217,6 +220,13 @@ private:
         : 0;
     }
     return shared / smaller;
+  }
+
+  bool AreComparable(int a, int b) const
+  {
+    const double one = std::abs(this->Contours.Contours[a].SignedArea);
+    const double other = std::abs(this->Contours.Contours[b].SignedArea);
+    return std::min(one, other) >= ComparableAreas * std::max(one, other);
   }
 
   /// Area by longest extent.

@@ -27,8 +27,9 @@ enum class LevelAlignmentMode
 {
   /// Never, but where a forced join has no overlap.
   Off,
-  /// Where both levels have one outer contour each, these share less than half of the smaller one,
-  /// and the line through their centroids leans by less than 45 degrees from the normal.
+  /// Where both levels have one outer contour each, of comparable size, these share less than half
+  /// of the smaller one, and the line through their centroids leans by less than 45 degrees from
+  /// the normal.
   Automatic,
   /// Wherever both levels have one outer contour each, whatever they share.
   On
