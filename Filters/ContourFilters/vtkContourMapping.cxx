@@ -3,6 +3,7 @@
 
 #include "ContourConversion.h"
 #include "Contours/ContourMapping.h"
+#include "Contours/LevelAlignment.h"
 #include "FieldArrays.h"
 #include "JoinTable.h"
 #include "RunCore.h"
@@ -129,7 +130,13 @@ int vtkContourMapping::RequestData(
       vtkContourMonitor cleaning(this, 0.0, 0.3);
       const recon::ContourSet set = this->ReadContours(input, true, cleaning);
       vtkContourMonitor mapping(this, 0.3, 1.0);
-      FillOutputs(set, recon::BuildContourMapping(set, options, mapping), input, output, joins);
+      // As Polyhedral Surface does, so that both come to the same decisions.
+      const recon::LevelAlignment alignment = recon::FindLevelAlignment(
+        set, static_cast<recon::LevelAlignmentMode>(this->AlignLevels), options.ForcedJoins);
+      recon::ContourMapping mapped =
+        recon::BuildContourMapping(recon::Aligned(set, alignment), options, mapping);
+      mapped.Report.insert(mapped.Report.begin(), alignment.Report.begin(), alignment.Report.end());
+      FillOutputs(set, mapped, input, output, joins);
     });
 }
 
@@ -138,6 +145,7 @@ void vtkContourMapping::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "OverlapThreshold: " << this->OverlapThreshold << endl;
   os << indent << "MaximumGap: " << this->MaximumGap << endl;
+  os << indent << "AlignLevels: " << this->AlignLevels << endl;
   os << indent << "Threads: " << this->Threads << endl;
   const auto print = [&](const char* name, const std::vector<std::pair<int, int>>& pairs)
   {

@@ -77,6 +77,13 @@ public:
   ///@}
 
   ///@{
+  /// Shift levels of oblique shapes onto one another before they are compared, as
+  /// vtkPolyhedralSurface does: 0 off, 1 automatic (default), 2 on.
+  vtkSetClampMacro(AlignLevels, int, 0, 2);
+  vtkGetMacro(AlignLevels, int);
+  ///@}
+
+  ///@{
   /// Number of threads; 0 (the default) takes all of the machine. The result does not depend on it.
   vtkSetClampMacro(Threads, int, 0, 1024);
   vtkGetMacro(Threads, int);
@@ -97,6 +104,7 @@ private:
 
   double OverlapThreshold = 0.1;
   double MaximumGap = 5;
+  int AlignLevels = 1;
   int Threads = 0;
   std::vector<std::pair<int, int>> ForcedJoins;
   std::vector<std::pair<int, int>> ForbiddenJoins;

@@ -112,8 +112,8 @@ public:
    * whose sections hardly overlap (blades, swept wings, thin tubes, oblique shafts). 0: off; 1
    * (default): where two neighbouring levels have one outer contour each, of comparable size, these
    * share less than half of the smaller one, and the line through their centroids leans less than
-   * 45 degrees; 2: wherever two neighbouring levels have one outer contour each. Contours of a
-   * forced join that have no overlap are shifted onto one another in any case.
+   * 45 degrees; 2: wherever two neighbouring levels have one outer contour each. A forced join of the only
+   * outer contours of two levels shifts these in any case.
    */
   vtkSetClampMacro(AlignLevels, int, 0, 2);
   vtkGetMacro(AlignLevels, int);

@@ -116,15 +116,15 @@ private:
 
   Finding Examine(std::size_t slab) const
   {
-    if (const auto forced = this->ForcedWithoutOverlap(slab))
-    {
-      return { What::Forced, this->Between(forced->first, forced->second), true };
-    }
     const auto a = OnlyOuterContour(this->Contours, this->Contours.Levels[slab]);
     const auto b = OnlyOuterContour(this->Contours, this->Contours.Levels[slab + 1]);
     if (!a || !b)
     {
-      return {};
+      return {}; // what suits one pair would part the others
+    }
+    if (this->IsForced(*a, *b) && this->OverlapOf(slab, *a, *b) == 0)
+    {
+      return { What::Forced, this->Between(*a, *b), true };
     }
     Finding finding{ What::Facing, this->Between(*a, *b), this->Mode == LevelAlignmentMode::On };
     const double length = std::hypot(finding.Step[0], finding.Step[1]);
@@ -180,27 +180,11 @@ private:
     }
   }
 
-  std::optional<std::pair<int, int>> ForcedWithoutOverlap(std::size_t slab) const
+  bool IsForced(int lower, int upper) const
   {
-    const int count = static_cast<int>(this->Contours.Contours.size());
-    for (auto [a, b] : this->ForcedJoins)
-    {
-      if (a < 0 || b < 0 || a >= count || b >= count)
-      {
-        continue; // the mapping says so
-      }
-      if (this->Contours.Contours[a].Level > this->Contours.Contours[b].Level)
-      {
-        std::swap(a, b);
-      }
-      if (this->Contours.Contours[a].Level == static_cast<int>(slab) &&
-        this->Contours.Contours[b].Level == static_cast<int>(slab) + 1 &&
-        this->OverlapOf(slab, a, b) == 0)
-      {
-        return std::make_pair(a, b);
-      }
-    }
-    return std::nullopt;
+    return std::any_of(this->ForcedJoins.begin(), this->ForcedJoins.end(),
+      [&](const std::pair<int, int>& join)
+      { return std::minmax(join.first, join.second) == std::minmax(lower, upper); });
   }
 
   /// Share of the smaller region.

@@ -25,7 +25,7 @@ namespace recon
 /// When two neighbouring levels are shifted onto one another.
 enum class LevelAlignmentMode
 {
-  /// Never, but where a forced join has no overlap.
+  /// Never, but for a forced join of the only two, where they do not overlap.
   Off,
   /// Where both levels have one outer contour each, of comparable size, these share less than half
   /// of the smaller one, and the line through their centroids leans by less than 45 degrees from
@@ -52,8 +52,8 @@ struct LevelAlignment
 /**
  * Decide about every slab of a Parallel set.
  *
- * @param forcedJoins pairs of contours of neighbouring levels that are to be joined; the first of a
- * slab that has no overlap decides where its levels go
+ * @param forcedJoins pairs of contours of neighbouring levels that are to be joined; where they are
+ * the only outer contours of their levels and do not overlap, they are shifted onto one another
  */
 LevelAlignment FindLevelAlignment(const ContourSet& contours, LevelAlignmentMode mode,
   const std::vector<std::pair<int, int>>& forcedJoins);

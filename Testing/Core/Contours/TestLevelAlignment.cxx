@@ -142,3 +142,14 @@ TEST(LevelAlignment, UndoneIsWhereItWas)
   const Point2 high = alignment.Undo({ 0, 0 }, 2);
   EXPECT_NEAR(alignment.Undo({ 0, 0 }, 1.5)[0], 0.5 * (low[0] + high[0]), 1e-12);
 }
+
+TEST(LevelAlignment, ForcedJoinBesideOthersDoesNotPartThem)
+{
+  RingStack levels;
+  for (int i = 0; i < 2; ++i)
+  {
+    levels.push_back({ RegularPolygon(24, 1, 0, { 0, 0 }), RegularPolygon(24, 1, 0, { 5, 0 }) });
+  }
+  const ContourSet contours = BuildStack(levels);
+  EXPECT_TRUE(FindLevelAlignment(contours, LevelAlignmentMode::Off, { { 0, 3 } }).IsEmpty());
+}
