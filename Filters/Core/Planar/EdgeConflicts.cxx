@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Planar/EdgeConflicts.h"
 
+#include "Base/Monitor.h"
 #include "Base/Predicates.h"
 
 #include <CGAL/box_intersection_d.h>
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <tuple>
 #include <utility>
 
@@ -26,9 +28,12 @@ std::size_t Index(int i)
 class ConflictFinder
 {
 public:
-  ConflictFinder(const std::vector<Point2>& points, const std::vector<PlanarEdge>& edges)
+  ConflictFinder(const std::vector<Point2>& points, const std::vector<PlanarEdge>& edges,
+    const std::vector<double>& tolerances, std::size_t mostCrossings)
     : Points(points),
-      Edges(edges)
+      Edges(edges),
+      Tolerances(tolerances),
+      MostCrossings(mostCrossings)
   {
   }
 
@@ -40,10 +45,11 @@ public:
     {
       const Point2& a = this->At(this->Edges[i].A);
       const Point2& b = this->At(this->Edges[i].B);
-      const double near = NearlyTouching * LengthOf(this->Edges[i]);
+      const double near = this->ToleranceOf(this->Edges[i]);
       boxes.emplace_back(CGAL::Bbox_2(std::min(a[0], b[0]) - near, std::min(a[1], b[1]) - near,
                            std::max(a[0], b[0]) + near, std::max(a[1], b[1]) + near),
         static_cast<int>(i));
+      this->AddTwins(this->Edges[i].A, this->Edges[i].B, static_cast<int>(i), static_cast<int>(i));
     }
     CGAL::box_self_intersection_d(boxes.begin(), boxes.end(),
       [this](const EdgeBox& x, const EdgeBox& y)
@@ -66,7 +72,12 @@ public:
 private:
   const Point2& At(int p) const { return this->Points[Index(p)]; }
 
-  double LengthOf(const PlanarEdge& e) const { return Distance(this->At(e.A), this->At(e.B)); }
+  double ToleranceOf(const PlanarEdge& e) const { return this->Tolerances[Index(e.Tag)]; }
+  double ToleranceOf(int i, int j) const
+  {
+    return std::min(
+      this->ToleranceOf(this->Edges[Index(i)]), this->ToleranceOf(this->Edges[Index(j)]));
+  }
 
   void Test(int i, int j)
   {
@@ -99,6 +110,11 @@ private:
     }
     if (abc * abd < 0 && cda * cdb < 0)
     {
+      if (this->Found.Crossings.size() == this->MostCrossings)
+      {
+        throw Error("Contours cross one another more than " + std::to_string(this->MostCrossings) +
+          " times, which is no outline of anything.");
+      }
       this->Found.Crossings.push_back({ i, j });
       return;
     }
@@ -112,20 +128,25 @@ private:
   {
     const PlanarEdge& e = this->Edges[Index(i)];
     const PlanarEdge& f = this->Edges[Index(j)];
-    const double near = NearlyTouching * std::min(this->LengthOf(e), this->LengthOf(f));
     bool any = false;
     for (int p : { e.A, e.B })
     {
       for (int q : { f.A, f.B })
       {
-        if (Distance(this->At(p), this->At(q)) <= near)
-        {
-          this->Found.SamePlace.push_back({ std::min(p, q), std::max(p, q), i, j });
-          any = true;
-        }
+        any = this->AddTwins(p, q, i, j) || any;
       }
     }
     return any;
+  }
+
+  bool AddTwins(int p, int q, int i, int j)
+  {
+    if (!(Distance(this->At(p), this->At(q)) <= this->ToleranceOf(i, j)))
+    {
+      return false;
+    }
+    this->Found.SamePlace.push_back({ std::min(p, q), std::max(p, q), i, j });
+    return true;
   }
 
   bool NearlyTouch(int i, int j)
@@ -148,7 +169,8 @@ private:
     const double length2 = along[0] * along[0] + along[1] * along[1];
     const double forward = along[0] * to[0] + along[1] * to[1];
     const double aside = along[0] * to[1] - along[1] * to[0];
-    if (forward <= 0 || forward >= length2 || std::abs(aside) > NearlyTouching * length2)
+    if (forward <= 0 || forward >= length2 ||
+      std::abs(aside) > this->ToleranceOf(edge, other) * std::sqrt(length2))
     {
       return false;
     }
@@ -164,7 +186,13 @@ private:
     const int common = (e.A == f.A || e.A == f.B) ? e.A : e.B;
     const int p = e.A == common ? e.B : e.A;
     const int q = f.A == common ? f.B : f.A;
-    if (Orientation2(this->At(common), this->At(p), this->At(q)) == 0)
+    if (this->AddTwins(p, q, i, j))
+    {
+      return;
+    }
+    const bool first = this->TouchIfNear(i, j, q);
+    const bool second = this->TouchIfNear(j, i, p);
+    if (!first && !second && Orientation2(this->At(common), this->At(p), this->At(q)) == 0)
     {
       this->Touch(0, i, j, q);
       this->Touch(0, j, i, p);
@@ -182,14 +210,17 @@ private:
 
   const std::vector<Point2>& Points;
   const std::vector<PlanarEdge>& Edges;
+  const std::vector<double>& Tolerances;
+  std::size_t MostCrossings;
   EdgeConflicts Found;
 };
 }
 
-EdgeConflicts FindEdgeConflicts(
-  const std::vector<Point2>& points, const std::vector<PlanarEdge>& edges)
+EdgeConflicts FindEdgeConflicts(const std::vector<Point2>& points,
+  const std::vector<PlanarEdge>& edges, const std::vector<double>& tolerances,
+  std::size_t mostCrossings)
 {
-  return ConflictFinder(points, edges).Find();
+  return ConflictFinder(points, edges, tolerances, mostCrossings).Find();
 }
 
 Point2 CrossingPoint(const Point2& a, const Point2& b, const Point2& c, const Point2& d)

@@ -8,19 +8,17 @@
 
 #include "Base/Geometry.h"
 
+#include <cstddef>
 #include <vector>
 
 namespace recon
 {
-/// Share of an edge's length.
-constexpr double NearlyTouching = 1e-7;
-
 /// An edge between two points of a level.
 struct PlanarEdge
 {
   int A = -1;
   int B = -1;
-  int Loop = -1;  ///< the loop it came from
+  int Tag = -1;   ///< what it is a part of: the number of a loop
   int Weight = 1; ///< times walked from A to B, less those from B to A
 };
 
@@ -38,11 +36,11 @@ struct EdgeConflicts
     int Other;  ///< the edge that ends there
     int Vertex; ///< the point
   };
-  /// End points of two edges are one place within rounding.
+  /// Two points that are nearer than the tolerance.
   struct Twins
   {
     int First, Second;        ///< points, the smaller number first
-    int FirstEdge, OtherEdge; ///< edges that end there
+    int FirstEdge, OtherEdge; ///< edges that end there; one and the same where that is so short
   };
   std::vector<Crossing> Crossings;
   std::vector<Touch> Touches;
@@ -57,15 +55,17 @@ struct EdgeConflicts
 /**
  * All of them, in an order that does not depend on the search.
  *
- * Exact, but for edges without a common end point: what comes nearer than a ten millionth of their
- * length (NearlyTouching) touches. Contours that touch in a plane that is tilted, or that were
- * stored in single precision, no longer do to the last bit, and a triangulation of the slits
- * between them would not end.
+ * What comes nearer than the tolerance touches; everything else is decided exactly. Where there is
+ * no conflict, no point lies within the tolerance of another, or of an edge that it is no end of.
  *
  * Points have distinct coordinates, edges distinct pairs of end points.
+ *
+ * @param tolerances a number for every tag, in the units of the points; the smaller counts for two
+ * @throws Error where more crossings are found than mostCrossings
  */
-EdgeConflicts FindEdgeConflicts(
-  const std::vector<Point2>& points, const std::vector<PlanarEdge>& edges);
+EdgeConflicts FindEdgeConflicts(const std::vector<Point2>& points,
+  const std::vector<PlanarEdge>& edges, const std::vector<double>& tolerances,
+  std::size_t mostCrossings);
 
 /// Where the lines of two edges meet: computed exactly, then rounded once.
 Point2 CrossingPoint(const Point2& a, const Point2& b, const Point2& c, const Point2& d);

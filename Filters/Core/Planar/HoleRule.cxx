@@ -41,7 +41,10 @@ void Orient(const std::vector<Point2>& points, std::vector<std::vector<int>>& lo
 class Keyholes
 {
 public:
-  Keyholes(std::vector<Point2>& points, const std::vector<std::vector<int>>& loops) : Points(points)
+  Keyholes(
+    std::vector<Point2>& points, const std::vector<std::vector<int>>& loops, double snapTolerance)
+    : Points(points),
+      SnapTolerance(snapTolerance)
   {
     for (std::size_t l = 0; l < loops.size(); ++l)
     {
@@ -51,7 +54,7 @@ public:
 
   EvenOddResult Unite()
   {
-    EvenOddResult united = ApplyWindingRule(this->Points, this->Pieces);
+    EvenOddResult united = ApplyWindingRule(this->Points, this->Pieces, this->SnapTolerance);
     for (EvenOddResult::Loop& loop : united.Loops)
     {
       loop.Origin = this->Owners[Index(loop.Origin)];
@@ -70,7 +73,7 @@ public:
 private:
   void AddArea(const std::vector<int>& loop, int owner)
   {
-    EvenOddResult area = ApplyEvenOddRule(this->Points, { loop });
+    EvenOddResult area = ApplyEvenOddRule(this->Points, { loop }, this->SnapTolerance);
     for (EvenOddCluster& cluster : area.Clusters)
     {
       this->NameAll(cluster.Loops, owner);
@@ -104,26 +107,27 @@ private:
   }
 
   std::vector<Point2>& Points;
+  double SnapTolerance;
   std::vector<std::vector<int>> Pieces;
   std::vector<int> Owners;
   std::vector<EvenOddCluster> Clusters;
 };
 }
 
-EvenOddResult ApplyHoleRule(
-  std::vector<Point2>& points, const std::vector<std::vector<int>>& loops, HoleRule rule)
+EvenOddResult ApplyHoleRule(std::vector<Point2>& points, const std::vector<std::vector<int>>& loops,
+  HoleRule rule, double snapTolerance)
 {
   switch (rule)
   {
     case HoleRule::Winding:
-      return ApplyWindingRule(points, loops);
+      return ApplyWindingRule(points, loops, snapTolerance);
     case HoleRule::Keyhole:
-      return Keyholes(points, loops).Unite();
+      return Keyholes(points, loops, snapTolerance).Unite();
     case HoleRule::Automatic:
     case HoleRule::EvenOdd:
       break;
   }
-  return ApplyEvenOddRule(points, loops);
+  return ApplyEvenOddRule(points, loops, snapTolerance);
 }
 
 const char* NameOf(HoleRule rule)

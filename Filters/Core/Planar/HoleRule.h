@@ -21,11 +21,11 @@ namespace recon
  * (nonzero). Keyhole: a loop is an area by itself (by even-odd, so that what is walked twice, a
  * bridge, goes and its hole stays), and the level is the union of these areas.
  *
- * @param points and loops as for ApplyEvenOddRule
+ * @param points, loops and snapTolerance as for ApplyEvenOddRule
  * @throws Error where the rounding of crossings does not come to rest
  */
-EvenOddResult ApplyHoleRule(
-  std::vector<Point2>& points, const std::vector<std::vector<int>>& loops, HoleRule rule);
+EvenOddResult ApplyHoleRule(std::vector<Point2>& points, const std::vector<std::vector<int>>& loops,
+  HoleRule rule, double snapTolerance = 0);
 
 /// "even-odd", "winding", "keyhole".
 const char* NameOf(HoleRule rule);
