@@ -7,6 +7,7 @@
 #include "Contours/HoleExplanation.h"
 #include "Contours/PlanarRings.h"
 #include "Planar/HoleRule.h"
+#include "Planar/LoopTwins.h"
 #include "Planar/NestingForest.h"
 
 #include <algorithm>
@@ -67,7 +68,8 @@ std::string Findings(const EvenOddCluster& cluster)
   add(cluster.OnEdge, "point", " on an edge");
   add(cluster.Cancelled, "edge", " walked more than once");
   add(cluster.Shared, "point", " passed again");
-  add(cluster.Merged, "point", " merged with another within rounding");
+  const std::string apart = Text(cluster.Moved);
+  add(cluster.Merged, "point", (" merged with another, at most " + apart + " apart").c_str());
   return text.empty() ? text : text + ")";
 }
 
@@ -98,6 +100,12 @@ public:
         "The plane tolerance is a fraction of the contours' size: give a number from 0 to "
         "below 1 instead of " +
         Text(fraction) + ".");
+    }
+    if (!(this->Options.SnapTolerance >= 0 && std::isfinite(this->Options.SnapTolerance)))
+    {
+      throw Error("The snap tolerance is a distance in the units of the contours: give 0 for an "
+                  "automatic one, or a positive number, instead of " +
+        Text(this->Options.SnapTolerance) + ".");
     }
     const double tolerance = fraction * SizeOf(this->Soup);
     this->Rings = ChainRings(this->Soup, tolerance, this->Notes, this->Progress);
@@ -144,11 +152,12 @@ private:
     PlanarRings rings = FlattenLevel(this->Soup, this->Rings, plane, grid, this->Notes);
     HoleFindings found;
     found.ExclusiveOr = this->IsExclusiveOr(rings);
+    this->LeaveOutTwins(rings, !found.ExclusiveOr);
     const HoleRule rule = found.ExclusiveOr ? HoleRule::EvenOdd : this->Options.Holes;
     EvenOddResult result;
     try
     {
-      result = ApplyHoleRule(rings.Points, rings.Loops, rule);
+      result = ApplyHoleRule(rings.Points, rings.Loops, rule, this->Options.SnapTolerance);
     }
     catch (const Error& error)
     {
@@ -176,6 +185,43 @@ private:
     }
     found.Swallowed = result.Swallowed.size();
     this->AddContours(plane, rings, result, rule, found);
+  }
+
+  void LeaveOutTwins(PlanarRings& rings, bool tracedAgain)
+  {
+    const std::vector<LoopTwin> twins =
+      FindLoopTwins(rings.Points, rings.Loops, this->UnitsOf(rings), tracedAgain);
+    for (const LoopTwin& twin : twins)
+    {
+      const Ring& of = this->Rings[Index(rings.Rings[Index(twin.Of)])];
+      this->NoteLoops(rings, { twin.Loop },
+        "is the same as that of cell " + std::to_string(of.Source) +
+          (twin.WithinRounding ? " within rounding" : " traced again") + " (at most " +
+          Text(twin.Apart) + " apart); left out");
+    }
+    // From the last, so that the numbers of the others stay.
+    for (auto twin = twins.rbegin(); twin != twins.rend(); ++twin)
+    {
+      rings.Loops.erase(rings.Loops.begin() + twin->Loop);
+      rings.Rings.erase(rings.Rings.begin() + twin->Loop);
+    }
+  }
+
+  /// That of the last decimal of every loop's coordinates, as they were given.
+  std::vector<double> UnitsOf(const PlanarRings& rings) const
+  {
+    std::vector<double> units;
+    for (int r : rings.Rings)
+    {
+      std::vector<double> numbers;
+      for (int p : this->Rings[Index(r)].Points)
+      {
+        const Point3& x = this->Soup.Points[Index(p)];
+        numbers.insert(numbers.end(), x.begin(), x.end());
+      }
+      units.push_back(UnitOf(numbers));
+    }
+    return units;
   }
 
   void FindLargestCoordinate()
@@ -239,6 +285,18 @@ private:
     this->Notes.Add(std::move(sources), points, first.Points[0], what);
   }
 
+  /// Of a loop by itself of which nothing is left.
+  static std::string WhyNothing(const PlanarRings& rings, const EvenOddCluster& cluster)
+  {
+    if (cluster.Cancelled + cluster.Merged == 0)
+    {
+      return std::string("lies within solid by the ") + cluster.Rule + " rule";
+    }
+    const bool flat = SignedAreaOf(rings.Points, rings.Loops[Index(cluster.Loops[0])]) == 0;
+    return flat ? "encloses no area"
+                : "is narrower than the snap tolerance of " + Text(cluster.Tolerance);
+  }
+
   void NoteCluster(const PlanarRings& rings, const EvenOddCluster& cluster)
   {
     if (!cluster.Changed)
@@ -249,7 +307,7 @@ private:
     if (cluster.Results == 0)
     {
       this->NoteLoops(rings, cluster.Loops,
-        (alone ? "encloses no area"
+        (alone ? this->WhyNothing(rings, cluster)
                : std::string("cancel one another under the ") + cluster.Rule + " rule") +
           Findings(cluster) + "; left out");
       return;

@@ -21,6 +21,12 @@ struct ContourSetOptions
   /// the contours themselves are less flat, up to 30 times as much is allowed, with a line in
   /// Report.
   double PlaneTolerance = 1e-5;
+  /// In the plane of a level, points and edges that are nearer than this become one before anything
+  /// else, and slivers that are narrower vanish; in the units of the input. 0: automatic, a ten
+  /// millionth of each contour's diagonal (SnapTolerance.h). Outlines that are stored twice on a
+  /// level with other decimals, or traced twice, are one contour at any setting (LoopTwins.h). What
+  /// either changes has a line in Report; what has no such defect keeps every bit.
+  double SnapTolerance = 0;
   /// Levels with a chain that is ExclusiveOr go by EvenOdd whatever this says, with a line in
   /// Report where it says otherwise. What was found is in Level::HoleNote.
   HoleRule Holes = HoleRule::Automatic;

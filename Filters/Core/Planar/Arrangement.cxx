@@ -160,11 +160,9 @@ void Arrangement::Merge(std::vector<EdgeConflicts::Twins> twins)
       continue;
     }
     standIn[Index(t.Second)] = t.First;
-    const Point2& p = this->At(t.First);
-    const Point2& q = this->At(t.Second);
     Findings& found = this->FoundAt(t.FirstEdge);
     ++found.Merged;
-    found.Moved = std::max(found.Moved, std::hypot(q[0] - p[0], q[1] - p[1]));
+    found.Moved = std::max(found.Moved, Distance(this->At(t.First), this->At(t.Second)));
   }
   this->MoveEnds(standIn);
 }

@@ -66,6 +66,8 @@ public:
   int SetOf(int tag) { return this->Sets.Find(tag); }
   bool HasConflict(int tag) const { return this->InConflict[static_cast<std::size_t>(tag)]; }
   const Findings& FindingsOf(int tag) const { return this->Found[static_cast<std::size_t>(tag)]; }
+  /// As large as it had to grow.
+  double ToleranceOf(int tag) const { return this->Tolerances[static_cast<std::size_t>(tag)]; }
   void Join(int tag, int other);
 
 private:

@@ -152,6 +152,7 @@ private:
       cluster.Shared += this->Shared[l];
       cluster.Merged += found.Merged;
       cluster.Moved = std::max(cluster.Moved, found.Moved);
+      cluster.Tolerance = std::max(cluster.Tolerance, this->Plane.ToleranceOf(loop));
       before[root].insert(CanonicalLoop(this->Loops[l]));
     }
     for (const EvenOddResult::Loop& loop : traced)

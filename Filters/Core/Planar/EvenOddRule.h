@@ -26,6 +26,7 @@ struct EvenOddCluster
   std::size_t Shared = 0;    ///< points passed more than once
   std::size_t Merged = 0;    ///< points that another stands for, as it is within the tolerance
   double Moved = 0;          ///< the farthest of them from the one that stands for it
+  double Tolerance = 0;      ///< the largest of its loops: what is nearer was one place
   std::size_t Results = 0;   ///< loops that came out
   bool Changed = false;      ///< false: they only touch in points, and are as they were
   const char* Rule = "even-odd";

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Planar/SnapTolerance.h"
 
+#include "Base/BoundingBox.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -14,17 +16,12 @@ const double Rounding = std::ldexp(1.0, -44);
 
 double DiagonalOf(const std::vector<Point2>& points, const std::vector<int>& loop)
 {
-  Point2 low = points[static_cast<std::size_t>(loop[0])];
-  Point2 high = low;
+  Box2 box;
   for (int p : loop)
   {
-    for (std::size_t k = 0; k < 2; ++k)
-    {
-      low[k] = std::min(low[k], points[static_cast<std::size_t>(p)][k]);
-      high[k] = std::max(high[k], points[static_cast<std::size_t>(p)][k]);
-    }
+    box.Add(points[static_cast<std::size_t>(p)]);
   }
-  return std::hypot(high[0] - low[0], high[1] - low[1]);
+  return box.Diagonal();
 }
 }
 

@@ -2,6 +2,7 @@
 // Contours that touch, overlap or cross themselves and one another.
 #include "Core/Contours/ContourInvariants.h"
 #include "Core/Contours/SoupMaker.h"
+#include "Planar/EvenOddRule.h"
 
 using namespace recon;
 using namespace recon::testing;
@@ -172,16 +173,17 @@ TEST(EvenOddRule, CrossingSquaresLeaveTwoCorners)
 
 TEST(EvenOddRule, WhatVanishesIsNamed)
 {
-  // The middle contour is covered by the edges of its neighbours.
+  // A square is covered by its two halves.
   const ContourSet set = SoupMaker()
                            .Loop(Rectangle(0, 0, 1, 1))
                            .Loop(Rectangle(2, 0, 3, 1))
-                           .Loop({ { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 }, { 0, 0.5 } })
+                           .Loop(Rectangle(0, 0, 1, 0.5))
+                           .Loop(Rectangle(0, 0.5, 1, 1))
                            .Build();
   CheckContourSet(set, 0);
   EXPECT_EQ(set.Contours.size(), 1u);
   EXPECT_TRUE(
-    Reports(set, "Contours of cells 0 and 2 (9 points, at offset 0): cancel one another"));
+    Reports(set, "Contours of cells 0, 2 and 3 (12 points, at offset 0): cancel one another"));
 }
 
 TEST(EvenOddRule, NeighboursApartByRoundingMerge)
@@ -195,7 +197,7 @@ TEST(EvenOddRule, NeighboursApartByRoundingMerge)
   CheckContourSet(set, 0);
   ASSERT_EQ(set.Contours.size(), 1u);
   EXPECT_NEAR(SolidArea(set), 28, 1e-12);
-  EXPECT_TRUE(Reports(set, "1 point merged with another within rounding"));
+  EXPECT_TRUE(Reports(set, "1 point merged with another, at most "));
   EXPECT_TRUE(Reports(set, "1 point on an edge"));
 }
 
@@ -302,17 +304,27 @@ TEST(EvenOddRule, PixelEdgesOfARandomImage)
 TEST(EvenOddRule, SliversOfNearlyEqualContours)
 {
   // Two circles that differ by rounding noise cross everywhere, at all scales down to an ulp.
-  std::vector<Point2> a = Circle(100, 100, 10, 400);
-  std::vector<Point2> b = a;
+  std::vector<Point2> points = Circle(100, 100, 10, 400);
+  const std::vector<Point2> again = points;
   std::mt19937 random(5);
-  for (Point2& p : b)
+  for (const Point2& p : again)
   {
-    p[0] += (static_cast<double>(random() % 7) - 3) * 1.42e-14;
-    p[1] += (static_cast<double>(random() % 7) - 3) * 1.42e-14;
+    points.push_back({ p[0] + (static_cast<double>(random() % 7) - 3) * 1.42e-14,
+      p[1] + (static_cast<double>(random() % 7) - 3) * 1.42e-14 });
   }
-  const ContourSet set = SoupMaker().Loop(a).Loop(b).Loop(Circle(100, 100, 5, 30)).Build();
-  CheckContourSet(set, 0);
-  EXPECT_NEAR(std::abs(SolidArea(set)), 25 * 3.09, 1);
+  // Points that come out equal have to be one; here they are a little apart, if they are.
+  std::vector<std::vector<int>> loops(2);
+  std::map<Point2, int> first;
+  for (int i = 0; i < 800; ++i)
+  {
+    const int number = first.emplace(points[At(i)], i).first->second;
+    loops[i / 400].push_back(number);
+  }
+  const EvenOddResult result = ApplyEvenOddRule(points, loops);
+  EXPECT_TRUE(result.Loops.empty());
+  ASSERT_EQ(result.Clusters.size(), 1u);
+  EXPECT_GT(result.Clusters[0].Merged, 0u);
+  EXPECT_LT(result.Clusters[0].Moved, 1e-13);
 }
 
 TEST(EvenOddRule, AHundredThousandPointsNestOrCrossAsTheyShould)
