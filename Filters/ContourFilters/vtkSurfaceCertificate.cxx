@@ -3,7 +3,7 @@
 
 #include "ContourConversion.h"
 #include "FieldArrays.h"
-#include "Mesh/Certificate.h"
+#include "Mesh/CertificateText.h"
 #include "RunCore.h"
 #include "SurfaceBlocks.h"
 #include "vtkContourMonitor.h"

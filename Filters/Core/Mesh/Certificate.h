@@ -4,7 +4,7 @@
  * @brief What a user may trust about a surface: all figures of it, a component and in total.
  *
  * For the meaning and the formula of each see MeshTopology.h, SelfIntersections.h, MassProperties.h
- * and SectionComparison.h; for the names under which they are written out, ListFigures.
+ * and SectionComparison.h; for the names under which they are written out, CertificateText.h.
  */
 #ifndef recon_Certificate_h
 #define recon_Certificate_h
@@ -19,7 +19,6 @@
 #include "Mesh/TriangleMesh.h"
 
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace recon
@@ -80,39 +79,6 @@ struct CertificateOptions
  */
 SurfaceCertificate Certify(const TriangleMesh& mesh, const ContourSet* contours,
   const CertificateOptions& options, Monitor& monitor);
-
-/// One figure under the name by which tables, field data and JSON know it.
-struct CertificateFigure
-{
-  enum KindType
-  {
-    Flag,  ///< 0 or 1
-    Count, ///< a whole number
-    Real   ///< in units of the input, squared for areas, cubed for volumes; angles in degrees
-  };
-  std::string Name;
-  KindType Kind;
-  std::optional<double> Value; ///< empty where the figure has no meaning
-};
-
-/// All figures of a component or of the whole, always the same names in the same order.
-std::vector<CertificateFigure> ListFigures(const ComponentCertificate& certificate);
-
-/// The figures that only a surface with contours has; of one without, all are empty.
-std::vector<CertificateFigure> ListContourFigures(const SurfaceCertificate& certificate);
-
-/**
- * Everything but what is said a triangle, as one JSON object.
- *
- * { "Total": {figures}, "Components": [{figures}], "Welded": {topology}, "Contours": {figures},
- * "Sections": [a level] }; a figure that has no meaning is null. Numbers read back to the same
- * bits.
- */
-std::string ToJson(const SurfaceCertificate& certificate);
-
-/// A few lines for people: the verdict, what was found wrong, size and shape, and how the contours
-/// fare.
-std::vector<std::string> ToShortText(const SurfaceCertificate& certificate);
 }
 
 #endif

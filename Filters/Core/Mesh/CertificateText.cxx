@@ -1,9 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/**
- * @file CertificateText.cxx
- * @brief The certificate's figures by name, as JSON and as a few lines of text.
- */
-#include "Mesh/Certificate.h"
+#include "Mesh/CertificateText.h"
 
 #include <charconv>
 #include <cmath>
