@@ -1,7 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The implicit method's nodes in a pipeline, on the thesis's examples: counts, data layout, certificate, errors."""
-import os
-
 import contourtesting as ct
 
 simple = ct.load_plugin()

@@ -5,7 +5,6 @@ import math
 import contourtesting as ct
 
 simple = ct.load_plugin()
-from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints, vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPartitionedDataSetCollection, vtkPolyData
 

@@ -11,15 +11,25 @@
 
 namespace recon
 {
+/**
+ * Exceptions are known by their type, and the core is linked into several libraries of one program:
+ * those must see one type, though all else of the core is hidden in each of them.
+ */
+#if defined(__GNUC__)
+#define RECON_EXCEPTION __attribute__((visibility("default")))
+#else
+#define RECON_EXCEPTION
+#endif
+
 /// Input that cannot be worked with. what() is one sentence: what, where, what to do.
-class Error : public std::runtime_error
+class RECON_EXCEPTION Error : public std::runtime_error
 {
 public:
   using std::runtime_error::runtime_error;
 };
 
 /// Thrown by Monitor::Update where the user asked to stop; carries no message on purpose.
-class Aborted : public std::exception
+class RECON_EXCEPTION Aborted : public std::exception
 {
 public:
   const char* what() const noexcept override { return "aborted"; }

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # `run`, from outside: a second run does no work twice, failures are one sentence, output goes where it should.
-# Usage: TestRun.sh SOURCE_DIR BINARY_DIR
+# Usage: run.sh SOURCE_DIR BINARY_DIR
 set -uo pipefail
 run="$1/run"
 export CONTOUR_BUILD_DIR="$2"

@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The VTK modules over the core and the parsers, and the ParaView plugin that is made of them.
+find_package(ParaView 5.11 REQUIRED COMPONENTS RemotingCore)
+set(BUILD_SHARED_LIBS ON)
+
+# The VTK modules; each has a vtk.module and a list of its classes.
+set(contour_module_files)
+foreach (folder IN ITEMS
+    Filters/ContourFilters
+    Filters/PolyhedralFilters
+    Filters/ImplicitFilters
+    Readers/BRep
+    Readers/CurveNetwork
+    Readers/DICOM
+    Readers/NUAGES)
+  list(APPEND contour_module_files "${PROJECT_SOURCE_DIR}/${folder}/vtk.module")
+endforeach ()
+
+set(contour_plugin_subdirectory "paraview-${ParaView_VERSION_MAJOR}.${ParaView_VERSION_MINOR}/plugins")
+
+paraview_plugin_scan(
+  PLUGIN_FILES "${PROJECT_SOURCE_DIR}/Plugin/paraview.plugin"
+  PROVIDES_PLUGINS plugins
+  REQUIRES_MODULES required_modules
+  ENABLE_BY_DEFAULT ON)
+
+vtk_module_scan(
+  MODULE_FILES ${contour_module_files}
+  REQUEST_MODULES ${required_modules}
+  PROVIDES_MODULES contour_modules
+  REQUIRES_MODULES external_modules
+  WANT_BY_DEFAULT ON
+  HIDE_MODULES_FROM_CACHE ON)
+
+# Beside the plugin, so that an installed plugin is one folder and needs no library path.
+set(contour_module_destination
+  "${CMAKE_INSTALL_LIBDIR}/${contour_plugin_subdirectory}/ContourReconstruction")
+set(CMAKE_INSTALL_RPATH "$ORIGIN")
+
+vtk_module_build(
+  MODULES ${contour_modules}
+  LIBRARY_DESTINATION "${contour_module_destination}"
+  INSTALL_HEADERS OFF
+  USE_EXTERNAL OFF
+  ENABLE_WRAPPING ON
+  PACKAGE contourreconstruction)
+
+if (CONTOUR_WRAP_PYTHON)
+  find_package(Python3 REQUIRED COMPONENTS Development.Module)
+  set(contour_python_destination "${contour_module_destination}/python")
+  vtk_module_wrap_python(
+    MODULES ${contour_modules}
+    TARGET ContourPython
+    PYTHON_PACKAGE contourreconstruction
+    MODULE_DESTINATION "${contour_python_destination}"
+    INSTALL_HEADERS OFF)
+endif ()
+
+paraview_plugin_build(
+  PLUGINS ${plugins}
+  PLUGINS_FILE_NAME contour.plugins.xml
+  LIBRARY_SUBDIRECTORY "${contour_plugin_subdirectory}"
+  INSTALL_HEADERS OFF
+  DISABLE_XML_DOCUMENTATION ON)
+
+# What a user needs, without the tests.
+add_custom_target(plugin DEPENDS ContourReconstruction)

@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""No ten lines of Filters and Readers stand in two places: what is needed twice is a function.
+
+Blank lines, comments, includes and indentation do not count; nor do declarations of VTK properties
+(vtkSetMacro and the like), which a class of its own cannot inherit.
+"""
+import re
+
+import house
+
+LINES = 10
+NO_MATTER = re.compile(r"#|//|/?\*|vtk(Set|Get|Boolean)\w*Macro\(|\w+;$|using |}?;?$|public:|protected:|private:")
+
+
+def code(path):
+    """(number, text) of every line that counts."""
+    lines = house.without_comments(path.read_text(encoding="utf-8")).splitlines()
+    return [(number, line.strip()) for number, line in enumerate(lines, 1) if not NO_MATTER.match(line.strip())]
+
+
+def main():
+    sources = house.files(".h", ".cxx", folders=("Filters", "Readers"))
+    first, wrong = {}, {}
+    for path in sources:
+        lines, said = code(path), 0
+        for i in range(len(lines) - LINES + 1):
+            words = tuple(text for _, text in lines[i:i + LINES])
+            here = (path, lines[i][0])
+            there = first.setdefault(words, here)
+            if there != here and i >= said:
+                key = f"{house.name(there[0])} {house.name(path)}"
+                wrong[key] = f"{house.name(path)}:{here[1]} says again what {house.name(there[0])}:{there[1]} says."
+                said = i + LINES
+    house.end_with_exceptions(wrong, house.exceptions("said_once.txt"), "said_once.txt", len(sources))
+
+
+main()
