@@ -23,7 +23,6 @@ READERS = {
 METHODS = {"psm": "PolyhedralSurface", "ism": "ImplicitSurface"}
 SURFACE_FORMATS = (".vtp", ".stl", ".ply", ".brep")
 STRUCTURE_SET = ".dcm"
-DRAWN_TOLERANCE = 0.1  # mm that a slice may lie beyond the outermost drawn point, for rounded coordinates
 
 
 class CommandError(Exception):
@@ -295,8 +294,12 @@ def reconstruct(contours, method="psm", settings=(), bar=None):
 
 
 def slices_within(slices, contours):
-    """Those of the rectangles whose planes lie between the outermost points of the contours, as poly data."""
+    """Those of the rectangles whose planes lie between the outermost points of the contours, as poly data.
+
+    A contour belongs to a slice that it lies beside, so a slice may lie beyond the outermost ones by as much.
+    """
     from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkPolygon
+    tolerance = _values(slices, "ContourTolerance")[0]
     within = vtkPolyData()
     within.SetPoints(slices.GetPoints())
     within.Allocate()
@@ -307,7 +310,7 @@ def slices_within(slices, contours):
         vtkPolygon.ComputeNormal(rectangle.GetPoints(), normal)
         rectangle.GetPoints().GetPoint(0, corner)
         heights = [sum(n * (x - c) for n, x, c in zip(normal, point, corner)) for point in points]
-        if min(heights) <= DRAWN_TOLERANCE and max(heights) >= -DRAWN_TOLERANCE:
+        if min(heights) < tolerance and max(heights) > -tolerance:
             within.InsertNextCell(slices.GetCellType(i), rectangle.GetPointIds())
     return within
 
@@ -317,22 +320,31 @@ class StructureSetWriter:
 
     def __init__(self, path, reference, settings=(), extrapolate=False):
         self.writer = _new("DICOMRTStructureSetWriter", FileName=path, ReferenceFileName=reference)
+        self.reference = reference
         self.settings = settings
         self.extrapolate = extrapolate
         self.traced = []
         self.rows = []  # of the table: name, contours drawn, contours written, slices, seconds
-        self.slices = None
-        if not any(setting.partition("=")[0] in ("Spacing", "Range", "UseRange") for setting in settings):
-            planes = _new("DICOMSlicePlanes", FileName=reference)
+        self.slices = {}  # by frame of reference
+        self.on_slices = not any(setting.partition("=")[0] in ("Spacing", "Range", "UseRange") for setting in settings)
+        if self.on_slices:
+            self._slices_in("")  # what is wrong with the reference is said before anything is computed
+
+    def _slices_in(self, frame):
+        """The reference's slices in a frame of reference, in its first one where that is empty."""
+        if frame not in self.slices:
+            planes = _new("DICOMSlicePlanes", FileName=self.reference, FrameOfReferenceUID=frame)
             run_proxy(planes)
-            self.slices = planes.GetClientSideObject().GetOutputDataObject(0)
+            self.slices[frame] = planes.GetClientSideObject().GetOutputDataObject(0)
+        return self.slices[frame]
 
     def _planes(self, block):
-        if self.slices is None:
+        if not self.on_slices:
             return {}
-        slices = self.slices if self.extrapolate else slices_within(self.slices, block.data)
+        known = self._slices_in("".join(_strings(block.data, "FrameOfReferenceUID")))
+        slices = known if self.extrapolate else slices_within(known, block.data)
         if slices.GetNumberOfCells() == 0:
-            raise CommandError(f"{block.name}: none of the {self.slices.GetNumberOfCells()} slices that the reference "
+            raise CommandError(f"none of the {known.GetNumberOfCells()} slices that the reference "
                                "tells meets its contours: are they of the same patient?")
         return {"Planes": as_source(slices)}
 
@@ -341,7 +353,10 @@ class StructureSetWriter:
         source = as_source(block.data)
         constraints = _new("ImplicitConstraints", Input=source)
         function = _new("ImplicitFunction", Input=constraints)
-        planes = self._planes(block)
+        try:
+            planes = self._planes(block)
+        except CommandError as error:
+            raise CommandError(f"{block.name}: {error}")
         contours = _new("ImplicitContours", Input=function, **planes)
         stages = [constraints, function, contours]
         apply_settings(stages + [self.writer], self.settings)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "DICOM/ReferenceSlices.h"
 
+#include "Base/Median.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -55,13 +57,7 @@ double SpacingOf(const std::vector<double>& offsets)
       gaps.push_back(offsets[i] - offsets[i - 1]);
     }
   }
-  if (gaps.empty())
-  {
-    return 0;
-  }
-  std::nth_element(
-    gaps.begin(), gaps.begin() + static_cast<std::ptrdiff_t>(gaps.size() / 2), gaps.end());
-  return gaps[gaps.size() / 2];
+  return Median(std::move(gaps));
 }
 
 double DistanceTo(const ReferenceSlice& slice, const Point3& p)

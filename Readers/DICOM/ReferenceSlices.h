@@ -7,7 +7,6 @@
 #define recon_ReferenceSlices_h
 
 #include "Base/Geometry.h"
-#include "Base/Monitor.h"
 
 #include <array>
 #include <cstddef>
@@ -58,15 +57,6 @@ private:
   std::vector<ReferenceSlice> Slices;
   double Tolerance = 0;
 };
-
-/**
- * The images of known plane, by increasing offset.
- *
- * @param path an RT structure set, an image of a series, or a folder of images, as
- * StructureSetReference takes them
- * @throws Error where it is none of these, damaged, or tells no plane
- */
-std::vector<ReferenceSlice> ReadReferenceSlices(const std::string& path, Monitor& monitor);
 }
 
 #endif

@@ -2,6 +2,7 @@
 #include "DICOM/StructureSetFormatter.h"
 
 #include "Base/SubMonitor.h"
+#include "Base/Text.h"
 #include "Common/ReplacedFile.h"
 #include "DICOM/DecimalString.h"
 #include "DICOM/DICOMItem.h"
@@ -211,7 +212,10 @@ private:
   void AddSeries();
   void CopyROIs();
   void AddROI(const WrittenROI& roi);
-  void AddContour(const WrittenContour& contour, int number, DcmItem& item);
+  void AddContour(
+    const WrittenContour& contour, const ReferenceSlices& slices, int number, DcmItem& item);
+  void TakeFrames(const std::vector<WrittenROI>& rois);
+  void ReportContoursOnNoSlice(std::size_t contours);
 
   const StructureSetOptions& Options;
   StructureSetReference& Reference;
@@ -220,6 +224,7 @@ private:
   ROIRegister Register;
   int LastObservation = 0;
   std::size_t ContoursOnNoSlice = 0;
+  std::vector<std::string> Frames; ///< of the new ROIs
 };
 
 void Formatter::NameROIs(std::vector<WrittenROI>& rois)
@@ -323,7 +328,7 @@ void Formatter::AddSeries()
   Put(this->Data(), DCM_Manufacturer, "Contour Reconstruction for ParaView");
   Put(this->Data(), DCM_ManufacturerModelName, "RT Structure Set Writer");
   Put(this->Data(), DCM_SoftwareVersions, CONTOUR_VERSION);
-  Put(this->Data(), DCM_FrameOfReferenceUID, this->Reference.GetFrameOfReferenceUID());
+  Put(this->Data(), DCM_FrameOfReferenceUID, this->Frames.front());
   const std::string label = DICOMText(this->Options.Label, LongestLabel);
   Put(this->Data(), DCM_StructureSetLabel, label.empty() ? "Reconstruction" : label);
   Put(this->Data(), DCM_ApprovalStatus, "UNAPPROVED");
@@ -359,9 +364,10 @@ void Formatter::CopyROIs()
   }
 }
 
-void Formatter::AddContour(const WrittenContour& contour, int number, DcmItem& item)
+void Formatter::AddContour(
+  const WrittenContour& contour, const ReferenceSlices& slices, int number, DcmItem& item)
 {
-  if (const ReferenceSlice* slice = this->Reference.GetSlices().Find(contour.Points))
+  if (const ReferenceSlice* slice = slices.Find(contour.Points))
   {
     DcmItem& image = AppendItem(item, DCM_ContourImageSequence);
     Put(image, DCM_ReferencedSOPClassUID, slice->ClassUID);
@@ -393,9 +399,11 @@ void Formatter::AddROI(const WrittenROI& roi)
 {
   const StructureSetROI& description = roi.Description;
   const std::string number = std::to_string(description.Number);
+  const std::string frame = this->Reference.FrameFor(description.FrameOfReferenceUID);
+  const ReferenceSlices& slices = this->Reference.GetSlices(frame);
   DcmItem& listed = AppendItem(this->Data(), DCM_StructureSetROISequence);
   Put(listed, DCM_ROINumber, number);
-  Put(listed, DCM_ReferencedFrameOfReferenceUID, this->Reference.GetFrameOfReferenceUID());
+  Put(listed, DCM_ReferencedFrameOfReferenceUID, frame);
   Put(listed, DCM_ROIName, description.Name);
   Put(listed, DCM_ROIGenerationAlgorithm, this->Options.GenerationAlgorithm);
 
@@ -406,7 +414,7 @@ void Formatter::AddROI(const WrittenROI& roi)
   for (std::size_t c = 0; c < roi.Contours.size(); ++c)
   {
     this->AddContour(
-      roi.Contours[c], static_cast<int>(c) + 1, AppendItem(contours, DCM_ContourSequence));
+      roi.Contours[c], slices, static_cast<int>(c) + 1, AppendItem(contours, DCM_ContourSequence));
   }
   Put(contours, DCM_ReferencedROINumber, number);
 
@@ -417,13 +425,52 @@ void Formatter::AddROI(const WrittenROI& roi)
   Put(observation, DCM_ROIInterpreter, "");
 }
 
+void Formatter::TakeFrames(const std::vector<WrittenROI>& rois)
+{
+  bool areNamed = true;
+  for (const WrittenROI& roi : rois)
+  {
+    const std::string& drawn = roi.Description.FrameOfReferenceUID;
+    const std::string frame = this->Reference.FrameFor(drawn);
+    areNamed = areNamed && !drawn.empty();
+    if (std::find(this->Frames.begin(), this->Frames.end(), frame) == this->Frames.end())
+    {
+      this->Frames.push_back(frame);
+    }
+  }
+  const std::vector<std::string>& known = this->Reference.GetFrames();
+  if (!areNamed && known.size() > 1)
+  {
+    this->Report.push_back("The reference has " + std::to_string(known.size()) +
+      " frames of reference; new ROIs that name none are written in the first, " + known.front() +
+      ", and refer to its images only.");
+  }
+}
+
+void Formatter::ReportContoursOnNoSlice(std::size_t contours)
+{
+  if (this->ContoursOnNoSlice == 0 || this->Reference.IsNone())
+  {
+    return;
+  }
+  std::size_t slices = 0;
+  for (const std::string& frame : this->Frames)
+  {
+    slices += this->Reference.GetSlices(frame).GetSlices().size();
+  }
+  this->Report.push_back(std::to_string(this->ContoursOnNoSlice) + " of " +
+    Counted(contours, "contour") + " lie on none of the " + Counted(slices, "image") +
+    " whose planes the reference tells, and refer to none.");
+}
+
 void Formatter::Format(std::vector<WrittenROI>& rois, Monitor& monitor)
 {
   // Texts are converted before any is copied.
   this->SelectCharacterSet(rois);
+  this->TakeFrames(rois);
   this->AddPatientAndStudy();
   this->AddSeries();
-  this->Reference.AddImagesTo(this->Data());
+  this->Reference.AddImagesTo(this->Data(), this->Frames);
   if (this->Reference.IsStructureSet() && this->Options.CopyReferenceROIs)
   {
     this->CopyROIs();
@@ -436,13 +483,7 @@ void Formatter::Format(std::vector<WrittenROI>& rois, Monitor& monitor)
     this->AddROI(rois[r]);
     contours += rois[r].Contours.size();
   }
-  if (this->ContoursOnNoSlice > 0 && !this->Reference.IsNone())
-  {
-    this->Report.push_back(std::to_string(this->ContoursOnNoSlice) + " of " +
-      std::to_string(contours) + " contours lie on none of the " +
-      std::to_string(this->Reference.GetSlices().GetSlices().size()) +
-      " images whose planes the reference tells, and refer to none.");
-  }
+  this->ReportContoursOnNoSlice(contours);
 }
 
 void Formatter::Save(const std::string& fileName)
@@ -471,6 +512,35 @@ void Formatter::Save(const std::string& fileName)
       " bytes were written)");
   }
   replaced.Commit();
+}
+}
+
+namespace
+{
+/// Leaves out ROIs that were drawn in a frame of reference that the reference does not have.
+/// @throws Error where that is all of them
+void LeaveOutOtherFrames(std::vector<WrittenROI>& rois, const StructureSetReference& reference,
+  const std::string& path, std::vector<std::string>& report)
+{
+  std::vector<WrittenROI> kept;
+  std::string sentence;
+  for (WrittenROI& roi : rois)
+  {
+    const std::string& drawn = roi.Description.FrameOfReferenceUID;
+    if (reference.HasFrame(drawn))
+    {
+      kept.push_back(std::move(roi));
+      continue;
+    }
+    sentence = "ROI \"" + roi.Description.Name + "\" cannot be written with " + path +
+      " as reference: " + reference.WhyNotIn(drawn);
+    report.push_back(sentence);
+  }
+  if (kept.empty())
+  {
+    throw Error(sentence);
+  }
+  rois = std::move(kept);
 }
 }
 
@@ -510,6 +580,7 @@ std::vector<std::string> WriteStructureSet(const std::string& fileName,
       ": it is the reference itself, which is not overwritten; give another name.");
   }
   report.insert(report.end(), reference->GetReport().begin(), reference->GetReport().end());
+  LeaveOutOtherFrames(rois, *reference, options.Reference, report);
   SubMonitor writing(monitor, 0.4, 0.9);
   Formatter formatter(options, *reference, report);
   formatter.Format(rois, writing);

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkDICOMSlicePlanes.h"
 
-#include "DICOM/ReferenceSlices.h"
+#include "ContourConversion.h"
+#include "DICOM/ReadReferenceSlices.h"
 #include "RunCore.h"
 #include "vtkContourMonitor.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
@@ -19,6 +22,19 @@ vtkStandardNewMacro(vtkDICOMSlicePlanes);
 
 namespace
 {
+void AddFieldData(const recon::SlicesOfReference& slices, vtkPolyData* output)
+{
+  vtkNew<vtkStringArray> frame;
+  frame->SetName("FrameOfReferenceUID");
+  frame->InsertNextValue(slices.FrameOfReferenceUID);
+  output->GetFieldData()->AddArray(frame);
+  vtkNew<vtkDoubleArray> tolerance;
+  tolerance->SetName("ContourTolerance");
+  tolerance->InsertNextValue(slices.Tolerance);
+  output->GetFieldData()->AddArray(tolerance);
+  recon::SetReport(slices.Report, output);
+}
+
 void ToPolyData(const std::vector<recon::ReferenceSlice>& slices, vtkPolyData* output)
 {
   vtkNew<vtkPoints> points;
@@ -49,12 +65,15 @@ vtkDICOMSlicePlanes::vtkDICOMSlicePlanes()
 vtkDICOMSlicePlanes::~vtkDICOMSlicePlanes()
 {
   this->SetFileName(nullptr);
+  this->SetFrameOfReferenceUID(nullptr);
 }
 
 void vtkDICOMSlicePlanes::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << endl;
+  os << indent << "FrameOfReferenceUID: "
+     << (this->FrameOfReferenceUID ? this->FrameOfReferenceUID : "(none)") << endl;
 }
 
 int vtkDICOMSlicePlanes::RequestData(
@@ -67,7 +86,10 @@ int vtkDICOMSlicePlanes::RequestData(
     [&]
     {
       vtkContourMonitor monitor(this);
-      ToPolyData(recon::ReadReferenceSlices(this->FileName, monitor), output);
+      const recon::SlicesOfReference slices = recon::ReadReferenceSlices(
+        this->FileName, this->FrameOfReferenceUID ? this->FrameOfReferenceUID : "", monitor);
+      ToPolyData(slices.Slices, output);
+      AddFieldData(slices, output);
     }));
   return 1;
 }

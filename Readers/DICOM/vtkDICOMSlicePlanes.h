@@ -12,6 +12,12 @@
  * structure set. Cell array `SOPInstanceUID` (strings) names the images. vtkImplicitContours takes
  * the output as its second input.
  *
+ * Field data: `FrameOfReferenceUID`, the frame that the coordinates are in; `ContourTolerance`
+ * (double, mm), how near to a slice a contour belongs to it: half the distance of the slices, or
+ * 0.1 mm where a structure set does not tell that distance; and `Report` (strings) on images that
+ * were left out: those across the series, in another frame of reference, without position, in the
+ * plane of another one, and damaged files.
+ *
  * What is none of these, damaged, or tells no plane gives one error and an empty output.
  */
 #ifndef vtkDICOMSlicePlanes_h
@@ -35,6 +41,16 @@ public:
   vtkGetFilePathMacro(FileName);
   ///@}
 
+  ///@{
+  /**
+   * The frame of reference that the slices must be in: `FrameOfReferenceUID` of the contours that
+   * are to lie on them. Slices of another one are refused. Empty, the default: the only one, or the
+   * first.
+   */
+  vtkSetStringMacro(FrameOfReferenceUID);
+  vtkGetStringMacro(FrameOfReferenceUID);
+  ///@}
+
 protected:
   vtkDICOMSlicePlanes();
   ~vtkDICOMSlicePlanes() override;
@@ -47,6 +63,7 @@ private:
   void operator=(const vtkDICOMSlicePlanes&) = delete;
 
   char* FileName = nullptr;
+  char* FrameOfReferenceUID = nullptr;
 };
 
 #endif

@@ -292,6 +292,7 @@ recon::StructureSetROI DescriptionOf(const Block& block)
     vtkPolyData* data = block.Pieces.front();
     roi.Name = FieldText(data, "ROIName");
     roi.Type = FieldText(data, "ROIType");
+    roi.FrameOfReferenceUID = FieldText(data, "FrameOfReferenceUID");
     vtkDataArray* number = data->GetFieldData()->GetArray("ROINumber");
     roi.Number =
       number && number->GetNumberOfTuples() == 1 ? static_cast<int>(number->GetComponent(0, 0)) : 0;

@@ -6,8 +6,8 @@
  * Input is a vtkPolyData, which becomes a region of interest (ROI), or a composite data set, each
  * block of which does. Closed polylines and polygons become closed contours, in any plane; loose
  * segments (what ParaView's Slice gives) are chained to closed ones first. Cell array
- * `GeometricType` and field data `ROIName`, `ROINumber`, `ROIType`, `ROIColor`, as
- * vtkRTStructureSetReader gives them and the filters of this project pass them on, are kept;
+ * `GeometricType` and field data `ROIName`, `ROINumber`, `ROIType`, `ROIColor`,
+ * `FrameOfReferenceUID`, as vtkRTStructureSetReader gives them and the filters of this project pass them on, are kept;
  * without the name that of the block is taken. Lines of type OPEN_PLANAR and OPEN_NONPLANAR stay
  * open, and vertices become points where their type is POINT or the block has nothing else.
  *
@@ -15,7 +15,10 @@
  * to. The file is a structure set of its own: identifiers, date and series are new, its approval
  * status is UNAPPROVED, and it names the reference as its predecessor. ROIs of the reference come
  * along unless CopyReferenceROIs is off, and are never replaced: a new ROI whose name or number is
- * taken gets another one.
+ * taken gets another one. An ROI is written in the frame of reference that it was drawn in, and
+ * refers to the images of that frame; one whose frame the reference does not have is left out with
+ * a warning, or an error where no other is left. In a series, images that lie across most others
+ * (localizers) are no slices.
  *
  * Coordinates are millimetres in the DICOM patient coordinate system, written with up to six
  * decimals: what is read back differs by at most 5e-7 mm. The transfer syntax is Implicit VR Little

@@ -75,8 +75,17 @@ inline void FillReference(StructureSetBuilder& builder, const std::vector<int>& 
   }
 }
 
+/// What an image says besides its number.
+struct ImageKind
+{
+  std::string Series = "1.2.3.8";
+  std::string Frame = "1.2.3.9";
+  std::string Orientation = "1\\0\\0\\0\\1\\0"; ///< empty for none
+  bool Preamble = true;
+};
+
 /// A CT image of 4 rows (2 mm) and 6 columns (0.5 mm), without its pixels.
-inline void SaveImage(const std::string& fileName, int slice, const std::string& series = "1.2.3.8")
+inline void SaveImage(const std::string& fileName, int slice, const ImageKind& kind)
 {
   DcmFileFormat file;
   DcmItem& data = *file.getDataset();
@@ -84,18 +93,32 @@ inline void SaveImage(const std::string& fileName, int slice, const std::string&
   StructureSetBuilder::Put(data, DCM_SOPClassUID, UID_CTImageStorage);
   StructureSetBuilder::Put(data, DCM_SOPInstanceUID, ImageUID(slice));
   StructureSetBuilder::Put(data, DCM_Modality, "CT");
-  StructureSetBuilder::Put(data, DCM_SeriesInstanceUID, series);
-  StructureSetBuilder::Put(data, DCM_FrameOfReferenceUID, "1.2.3.9");
-  StructureSetBuilder::Put(data, DCM_ImageOrientationPatient, "1\\0\\0\\0\\1\\0");
-  StructureSetBuilder::Put(
-    data, DCM_ImagePositionPatient, "-100\\-100\\" + std::to_string(SliceSpacing * slice));
+  StructureSetBuilder::Put(data, DCM_SeriesInstanceUID, kind.Series);
+  StructureSetBuilder::Put(data, DCM_FrameOfReferenceUID, kind.Frame);
+  if (!kind.Orientation.empty())
+  {
+    StructureSetBuilder::Put(data, DCM_ImageOrientationPatient, kind.Orientation);
+    StructureSetBuilder::Put(
+      data, DCM_ImagePositionPatient, "-100\\-100\\" + std::to_string(SliceSpacing * slice));
+  }
   StructureSetBuilder::Put(data, DCM_PixelSpacing, "2\\0.5");
   data.putAndInsertUint16(DCM_Rows, 4);
   data.putAndInsertUint16(DCM_Columns, 6);
-  if (file.saveFile(fileName.c_str(), EXS_LittleEndianExplicit).bad())
+  const E_FileWriteMode mode = kind.Preamble ? EWM_fileformat : EWM_dataset;
+  if (file
+        .saveFile(fileName.c_str(), EXS_LittleEndianExplicit, EET_ExplicitLength, EGL_recalcGL,
+          EPD_noChange, 0, 0, mode)
+        .bad())
   {
     throw std::runtime_error("no image");
   }
+}
+
+inline void SaveImage(const std::string& fileName, int slice, const std::string& series = "1.2.3.8")
+{
+  ImageKind kind;
+  kind.Series = series;
+  SaveImage(fileName, slice, kind);
 }
 }
 

@@ -5,7 +5,7 @@
 #include "DICOM/DecimalString.h"
 #include "DICOM/DICOMItem.h"
 #include "DICOM/DICOMText.h"
-#include "DICOM/ReferenceSlices.h"
+#include "DICOM/ReadReferenceSlices.h"
 #include "DICOM/StructureSetFormatter.h"
 
 #include <cmath>
@@ -368,7 +368,7 @@ TEST_F(StructureSetFormatter, MalformedContoursOfTheReferenceTellNoPlane)
   this->Options.Reference = this->Name("reference.dcm");
   const std::vector<std::string> report = this->Write({ this->Stack({ 0, 6 }) });
   ASSERT_EQ(report.size(), 1u);
-  EXPECT_EQ(report[0].rfind("The reference has 1 malformed contours", 0), 0u) << report[0];
+  EXPECT_EQ(report[0].rfind("1 contour of the reference malformed", 0), 0u) << report[0];
   EXPECT_EQ(
     this->ImagesOfLast(this->Load()), (std::vector<std::string>{ ImageUID(0), ImageUID(2) }));
 }
@@ -426,7 +426,7 @@ TEST_F(StructureSetFormatter, ReferenceSlicesAreTheImagesByHeight)
     SaveImage(this->Name("images/" + std::to_string(9 - slice)), slice);
   }
   const std::vector<recon::ReferenceSlice> slices =
-    recon::ReadReferenceSlices(this->Name("images"), this->Monitor);
+    recon::ReadReferenceSlices(this->Name("images"), "", this->Monitor).Slices;
   ASSERT_EQ(slices.size(), 3u);
   for (int i = 0; i < 3; ++i)
   {
@@ -474,6 +474,38 @@ TEST_F(StructureSetFormatter, OnlyImagesOfOneFrameOfReferenceAreReferredTo)
   ASSERT_EQ(report.size(), 2u);
   EXPECT_NE(report[0].find("2 frames of reference"), std::string::npos) << report[0];
   EXPECT_EQ(recon::ItemsOf(this->Load(), DCM_ReferencedFrameOfReferenceSequence).size(), 2u);
+}
+
+TEST_F(StructureSetFormatter, ROIsKeepTheFrameThatTheyWereDrawnIn)
+{
+  // Without a reference.
+  recon::WrittenROI ct = Square("CT", 0);
+  ct.Description.FrameOfReferenceUID = "1.2.3.9";
+  recon::WrittenROI mr = Square("MR", 0);
+  mr.Description.FrameOfReferenceUID = "1.2.3.10";
+  const auto frames = [this]
+  {
+    const recon::StructureSetFile file(this->Name("new.dcm"));
+    std::vector<std::string> uids;
+    for (const recon::StructureSetROI& roi : file.GetROIs())
+    {
+      uids.push_back(roi.FrameOfReferenceUID);
+    }
+    return uids;
+  };
+  EXPECT_EQ(this->Write({ ct, mr }).size(), 1u);
+  EXPECT_EQ(frames(), (std::vector<std::string>{ "1.2.3.9", "1.2.3.10" }));
+  EXPECT_EQ(recon::ItemsOf(this->Load(), DCM_ReferencedFrameOfReferenceSequence).size(), 2u);
+
+  // With one that has one of the two: the other is left out, and that is all of them an error.
+  this->Options.Reference = this->Reference(Range(10), 10);
+  this->Options.CopyReferenceROIs = false;
+  const std::vector<std::string> report = this->Write({ ct, mr });
+  ASSERT_EQ(report.size(), 1u);
+  EXPECT_EQ(report[0].rfind("ROI \"MR\" cannot be written", 0), 0u) << report[0];
+  EXPECT_EQ(frames(), std::vector<std::string>{ "1.2.3.9" });
+  ExpectSentence(SentenceOf([&] { this->Write({ mr }); }), "reference.dcm",
+    "drawn in 1.2.3.10, whose coordinates have nothing to do with it");
 }
 
 TEST_F(StructureSetFormatter, ReplacesAFileThatIsThere)
