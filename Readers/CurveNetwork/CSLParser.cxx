@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "CurveNetwork/CSLParser.h"
+
 #include "Common/TextScanner.h"
-#include "CurveNetwork/CurveNetworkParser.h"
 #include "CurveNetwork/PlaneCheck.h"
 
 #include <map>

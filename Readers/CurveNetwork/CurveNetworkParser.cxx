@@ -2,6 +2,8 @@
 #include "CurveNetwork/CurveNetworkParser.h"
 
 #include "Common/TextScanner.h"
+#include "CurveNetwork/ContourNetworkParser.h"
+#include "CurveNetwork/CSLParser.h"
 
 #include <sstream>
 
@@ -60,7 +62,6 @@ CurveNetwork ReadCurveNetwork(const std::string& fileName, Monitor& monitor)
   const TextScanner scanner(fileName); // says where the file is absent, empty or binary
   throw Error("Cannot read " + fileName +
     ": expected a cross-section set that begins with 'CSLC', or a curve network that begins with "
-    "the "
-    "number of planes, a plane a b c d and the numbers of its vertices and edges.");
+    "the number of planes, a plane a b c d and the numbers of its vertices and edges.");
 }
 }
