@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """No ten lines of Filters and Readers stand in two places: what is needed twice is a function.
 
-Blank lines, comments, includes and indentation do not count; nor do declarations of VTK properties
-(vtkSetMacro and the like), which a class of its own cannot inherit.
+Blank lines, comments, includes and indentation do not count; nor do declarations of VTK properties (vtkSetMacro,
+PrintSelf) and the names of choices, which the classes that Python sees cannot take from the core.
 """
 import re
 
 import house
 
 LINES = 10
-NO_MATTER = re.compile(r"#|//|/?\*|vtk(Set|Get|Boolean)\w*Macro\(|\w+;$|using |}?;?$|public:|protected:|private:")
+NO_MATTER = re.compile(r"#|//|/?\*|vtk(Set|Get|Boolean)\w*Macro\(|os << |enum \w+$|\w+ = -?\d+,?$|\w+;$|using |}?;?$|public:|protected:|private:")
 
 
 def code(path):

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @file Certificate.h
- * @brief What a user may trust about a surface: all figures of it, a component and in total.
+ * @brief All figures that say what a surface is worth, a component and in total.
  *
  * For the meaning and the formula of each see MeshTopology.h, SelfIntersections.h, MassProperties.h
  * and SectionComparison.h; for the names under which they are written out, CertificateText.h.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @file ComponentNesting.h
- * @brief Which components of a mesh lie inside others: what tells a cavity from a solid turned
- * inside out.
+ * @brief The depth of each component of a mesh within others, which tells a cavity from a solid
+ * turned inside out.
  */
 #ifndef recon_ComponentNesting_h
 #define recon_ComponentNesting_h
@@ -14,7 +14,7 @@
 namespace recon
 {
 /**
- * A component: the number of other components for which encloses is true that lie around it.
+ * The number of components around each component, of those for which encloses is true.
  *
  * Even-odd along vertical rays from eight corners of the component (all, where it has few
  * triangles), all decisions exact. A component lies around another where it does around all of these

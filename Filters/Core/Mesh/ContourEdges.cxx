@@ -2,7 +2,6 @@
 #include "Mesh/ContourEdges.h"
 
 #include <algorithm>
-#include <functional>
 #include <set>
 
 namespace recon
@@ -46,18 +45,6 @@ SpaceLoop WithoutRepeats(const SpaceLoop& loop)
   }
   return result;
 }
-}
-
-std::size_t ContourEdges::Hash::operator()(const Point3& p) const
-{
-  // std::hash gives 0.0 and -0.0, which are equal, one value.
-  const std::hash<double> hash;
-  std::size_t seed = 0;
-  for (const double c : p)
-  {
-    seed ^= hash(c) + 0x9e3779b97f4a7c15ULL + (seed << 6) + (seed >> 2);
-  }
-  return seed;
 }
 
 /// One attempt: a depth-first walk over (edge of the loop, point of the mesh).

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @file ContourEdges.h
- * @brief Finds the half-edges of a surface that a contour runs along.
+ * @brief The half-edges of a surface that a contour runs along.
  */
 #ifndef recon_ContourEdges_h
 #define recon_ContourEdges_h
 
+#include "Base/PointHash.h"
 #include "Mesh/BRep.h"
 #include "Mesh/HalfEdges.h"
 
@@ -14,7 +15,7 @@
 
 namespace recon
 {
-/// Looks loops of positions up on one mesh, which must outlive it.
+/// Loops of positions, looked up on one mesh, which must outlive it.
 class ContourEdges
 {
 public:
@@ -28,10 +29,6 @@ public:
   std::vector<int> Find(const SpaceLoop& loop) const;
 
 private:
-  struct Hash
-  {
-    std::size_t operator()(const Point3& p) const;
-  };
   struct Search;
 
   bool FindFrom(Search& search, int start) const;
@@ -41,7 +38,7 @@ private:
   const HalfEdges& Edges;
   const std::vector<int>& Components;
   /// Points of one position: more than one where a manifold was cut from touching pieces.
-  std::unordered_map<Point3, std::vector<int>, Hash> PointsAt;
+  std::unordered_map<Point3, std::vector<int>, PointHash> PointsAt;
   double Tolerance = 0;
 };
 }

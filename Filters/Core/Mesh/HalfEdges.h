@@ -36,7 +36,7 @@ public:
   /// Half-edges that start at a point, in no order that matters.
   const int* BeginFrom(int point) const { return this->Outgoing.data() + this->First[point]; }
   const int* EndFrom(int point) const { return this->Outgoing.data() + this->First[point + 1]; }
-  /// For each triangle its connected component, numbered by first triangle.
+  /// The connected component of each triangle; components are numbered by first triangle.
   std::vector<int> Components() const;
 
 private:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @file MeshDefects.h
- * @brief What can be wrong with a triangle, as bits, so that one cell array says all of it.
+ * @brief The faults of a triangle as bits, so that one cell array says all of them.
  */
 #ifndef recon_MeshDefects_h
 #define recon_MeshDefects_h

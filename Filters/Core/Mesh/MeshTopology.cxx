@@ -3,17 +3,17 @@
 
 #include "Base/DisjointSets.h"
 #include "Base/Monitor.h"
+#include "Base/PointHash.h"
 #include "Base/Predicates.h"
 #include "Mesh/ComponentNesting.h"
 #include "Mesh/MassProperties.h"
 #include "Mesh/MeshDefects.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <cstdlib>
-#include <cstring>
 #include <numeric>
 #include <string>
+#include <unordered_map>
 
 namespace recon
 {
@@ -411,20 +411,6 @@ private:
   MeshTopology Result;
 };
 
-/// Hash of coordinates in which -0 and 0 are one.
-std::uint64_t HashOf(const Point3& p)
-{
-  std::uint64_t hash = 0;
-  for (const double x : p)
-  {
-    const double positive = x + 0.0;
-    std::uint64_t bits = 0;
-    std::memcpy(&bits, &positive, sizeof bits);
-    hash = (hash ^ bits) * 0x9E3779B97F4A7C15ull;
-    hash ^= hash >> 32;
-  }
-  return hash;
-}
 }
 
 void RequireUsable(const TriangleMesh& mesh)
@@ -459,28 +445,18 @@ MeshTopology CheckTopology(const TriangleMesh& mesh)
 TriangleMesh WeldPoints(const TriangleMesh& mesh)
 {
   RequireUsable(mesh);
-  // Open addressing; the table is a power of two and at most half full.
-  std::size_t size = 16;
-  while (size < 2 * mesh.Points.size())
-  {
-    size *= 2;
-  }
-  std::vector<int> slots(size, -1);
+  std::unordered_map<Point3, int, PointHash> numbers(mesh.Points.size());
   std::vector<int> renamed(mesh.Points.size());
   TriangleMesh result;
   for (std::size_t p = 0; p < mesh.Points.size(); ++p)
   {
-    std::size_t slot = HashOf(mesh.Points[p]) & (size - 1);
-    while (slots[slot] >= 0 && result.Points[slots[slot]] != mesh.Points[p])
+    const auto [at, isNew] =
+      numbers.emplace(mesh.Points[p], static_cast<int>(result.Points.size()));
+    if (isNew)
     {
-      slot = (slot + 1) & (size - 1);
-    }
-    if (slots[slot] < 0)
-    {
-      slots[slot] = static_cast<int>(result.Points.size());
       result.Points.push_back(mesh.Points[p]);
     }
-    renamed[p] = slots[slot];
+    renamed[p] = at->second;
   }
   result.Triangles = mesh.Triangles;
   for (auto& t : result.Triangles)

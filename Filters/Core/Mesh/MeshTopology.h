@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @file MeshTopology.h
- * @brief Closed, manifold, oriented, outward: what the connectivity of a triangle mesh says about
- * it.
+ * @brief The topology of a triangle mesh: closed, manifold, oriented, outward, and how often not.
  *
  * Connectivity is by index. A format without any (STL) is welded first, see WeldPoints.
  *

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @file SectionComparison.h
- * @brief Does the surface, cut again at the contours' planes, give the contours back? How far are
- * they from it?
+ * @brief The difference between contours and the surface cut again at their planes, and their
+ * distance from it.
  *
  * In the plane of a level the solid is looked at from both sides at no distance at all: the cut
  * from below takes points of the surface that lie in the plane for points above it, the cut from

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @file SheetCrossings.h
- * @brief Where sheets of a surface pass through one another exactly along edges, so that no two
- * triangles cross.
+ * @brief Edges along which sheets of a surface pass through one another though no two triangles
+ * cross.
  *
  * A manifold cut (thesis 11.3) takes the faces around an edge of four apart into two sheets that
  * touch there. If it joins the wrong ones the sheets cross instead, and no pair of triangles tells:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @file TrianglePair.h
- * @brief How two triangles of a mesh lie to each other, exactly.
+ * @brief The exact relation of two triangles of a mesh: clean, touching, overlapping or crossing.
  */
 #ifndef recon_TrianglePair_h
 #define recon_TrianglePair_h

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @file TriangleTree.h
- * @brief A tree of boxes over the triangles of a mesh: which come close to each other, what is
- * nearest to a point.
+ * @brief A tree of boxes over the triangles of a mesh, for pairs that may meet and for distances.
  */
 #ifndef recon_TriangleTree_h
 #define recon_TriangleTree_h

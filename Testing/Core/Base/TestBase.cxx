@@ -6,6 +6,7 @@
 #include "Base/Median.h"
 #include "Base/Parallel.h"
 #include "Base/PointGrid.h"
+#include "Base/PointHash.h"
 #include "Base/Predicates.h"
 #include "Base/SpatialHash.h"
 #include "Base/SubMonitor.h"
@@ -237,4 +238,16 @@ TEST(SubMonitor, HandsOnItsShareOfTheWhole)
   half.Update(0, "stage");
   half.Update(0.5, "stage");
   EXPECT_EQ(recorder.Seen, (std::vector<double>{ 0.5, 0.75 }));
+}
+
+TEST(PointHash, EqualPointsAreOneWhateverTheSignOfZero)
+{
+  const PointHash hash;
+  EXPECT_EQ(hash({ 0.0, 1.5, -0.0 }), hash({ -0.0, 1.5, 0.0 }));
+  std::set<std::size_t> seen;
+  for (int i = 0; i < 1000; ++i)
+  {
+    seen.insert(hash({ 0.1 * (i % 10), 0.1 * (i / 10 % 10), 0.1 * (i / 100) }));
+  }
+  EXPECT_EQ(seen.size(), 1000u);
 }
