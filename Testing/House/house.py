@@ -61,7 +61,7 @@ def pages():
 
 
 def exceptions(file):
-    """Lines of a list beside the check, without comments."""
+    """Lines of a list of exceptions beside the check, without comments."""
     lines = (line.split("#")[0].strip() for line in beside(file).read_text(encoding="utf-8").splitlines())
     return {line for line in lines if line}
 
@@ -85,10 +85,3 @@ def end(wrong, checked):
     if wrong:
         sys.exit(f"FAILED: {len(wrong)} places.")
     print(f"{checked} files checked.")
-
-
-def end_with_exceptions(wrong, known, file, checked):
-    """wrong: {key: sentence}. A key in the list of exceptions is let be until it is mended."""
-    for key in sorted(known):
-        print(f"{file}: {key} {'is still to be mended' if key in wrong else 'is mended: take it from the list'}.")
-    end([sentence for key, sentence in sorted(wrong.items()) if key not in known], checked)
