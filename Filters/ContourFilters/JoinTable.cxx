@@ -1,17 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "JoinTable.h"
 
+#include "Base/Text.h"
 #include "FieldArrays.h"
 
+#include "vtkCellData.h"
+#include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkPolyData.h"
 #include "vtkTable.h"
 #include "vtkVariant.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace recon
@@ -72,15 +79,45 @@ std::string RuleOf(const ContourJoin& join)
   }
   return {};
 }
+
+/// Which contour of the set each contour of the input has become.
+std::map<int, int> ContoursByInputId(vtkDataArray* ids, const ContourSet& contours)
+{
+  std::map<int, int> contourOf;
+  for (std::size_t c = 0; c < contours.Contours.size(); ++c)
+  {
+    const int source = contours.Contours[c].Source;
+    if (source >= 0 && source < ids->GetNumberOfTuples())
+    {
+      contourOf.emplace(static_cast<int>(ids->GetTuple1(source)), static_cast<int>(c));
+    }
+  }
+  return contourOf;
+}
+
+std::set<std::pair<int, int>> NamedPairs(const ContourMappingOptions& options)
+{
+  std::set<std::pair<int, int>> pairs;
+  for (const auto* list : { &options.ForcedJoins, &options.ForbiddenJoins })
+  {
+    for (const std::pair<int, int>& pair : *list)
+    {
+      pairs.insert(std::minmax(pair.first, pair.second));
+    }
+  }
+  return pairs;
+}
 }
 
 void ReadJoinOverrides(vtkTable* table, ContourMappingOptions& options)
 {
-  for (const char* name : { "LowerContour", "UpperContour", "Join" })
+  const char* decision = table->GetColumnByName("Join") ? "Join" : "Joined";
+  for (const char* name : { "LowerContour", "UpperContour", decision })
   {
     if (!table->GetColumnByName(name))
     {
-      throw Error(std::string("The table of overrides has no column ") + name +
+      throw Error(std::string("The table of overrides has no column ") +
+        (name == decision ? "Join or Joined" : name) +
         ": give LowerContour, UpperContour and Join (1 force, 0 forbid).");
     }
   }
@@ -88,7 +125,7 @@ void ReadJoinOverrides(vtkTable* table, ContourMappingOptions& options)
   {
     const std::optional<int> lower = IntOf(table, row, "LowerContour");
     const std::optional<int> upper = IntOf(table, row, "UpperContour");
-    const std::optional<int> join = IntOf(table, row, "Join");
+    const std::optional<int> join = IntOf(table, row, decision);
     if (!lower || !upper || !join || *lower < 0 || *upper < 0)
     {
       continue;
@@ -96,7 +133,7 @@ void ReadJoinOverrides(vtkTable* table, ContourMappingOptions& options)
     if (*join != 0 && *join != 1)
     {
       throw Error("Row " + std::to_string(row) + " of the table of overrides has " +
-        std::to_string(*join) + " in column Join: give 1 to force and 0 to forbid.");
+        std::to_string(*join) + " in column " + decision + ": give 1 to force and 0 to forbid.");
     }
     (*join == 1 ? options.ForcedJoins : options.ForbiddenJoins).emplace_back(*lower, *upper);
   }
@@ -133,5 +170,63 @@ void WriteJoins(const ContourMapping& mapping, vtkTable* table)
   add("Rule", [](const ContourJoin& join) { return RuleOf(join); });
   add("Joined", [](const ContourJoin& join) { return join.Joined ? 1 : 0; });
   add("Words", [](const ContourJoin& join) { return join.Words; });
+}
+
+void WriteMapping(const ContourMapping& mapping, vtkDataObject* output)
+{
+  std::vector<int> lower;
+  std::vector<int> upper;
+  std::vector<int> joined;
+  for (const ContourJoin& join : mapping.Joins)
+  {
+    if (join.LowerRegion >= 0 && join.UpperRegion >= 0)
+    {
+      lower.push_back(join.LowerRegion); // region i is the one inside contour i
+      upper.push_back(join.UpperRegion);
+      joined.push_back(join.Joined ? 1 : 0);
+    }
+  }
+  AddArray(output->GetFieldData(), "JoinLower", lower);
+  AddArray(output->GetFieldData(), "JoinUpper", upper);
+  AddArray(output->GetFieldData(), "JoinJoined", joined);
+}
+
+std::string ReadMapping(
+  vtkPolyData* input, const ContourSet& contours, ContourMappingOptions& options)
+{
+  vtkFieldData* data = input->GetFieldData();
+  vtkDataArray* lower = data->GetArray("JoinLower");
+  vtkDataArray* upper = data->GetArray("JoinUpper");
+  vtkDataArray* joined = data->GetArray("JoinJoined");
+  vtkDataArray* ids = input->GetCellData()->GetArray("ContourId");
+  if (!lower || !upper || !joined)
+  {
+    return {};
+  }
+  const vtkIdType count = lower->GetNumberOfTuples();
+  if (!ids || upper->GetNumberOfTuples() != count || joined->GetNumberOfTuples() != count)
+  {
+    return "The mapping that came with the contours is not followed: their ContourId is missing.";
+  }
+  const std::map<int, int> contourOf = ContoursByInputId(ids, contours);
+  const std::set<std::pair<int, int>> own = NamedPairs(options);
+  int followed = 0;
+  int forbidden = 0;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const auto a = contourOf.find(static_cast<int>(lower->GetTuple1(i)));
+    const auto b = contourOf.find(static_cast<int>(upper->GetTuple1(i)));
+    if (a == contourOf.end() || b == contourOf.end() ||
+      own.count(std::minmax(a->second, b->second)) > 0)
+    {
+      continue;
+    }
+    const bool isJoined = joined->GetTuple1(i) != 0;
+    (isJoined ? options.ForcedJoins : options.ForbiddenJoins).emplace_back(a->second, b->second);
+    (isJoined ? followed : forbidden)++;
+  }
+  return "The mapping that came with the contours is followed: " + Counted(followed, "join") +
+    ", and " + Counted(forbidden, "pair") + " that " + (forbidden == 1 ? "is" : "are") +
+    " not joined.";
 }
 }

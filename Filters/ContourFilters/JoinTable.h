@@ -9,6 +9,10 @@
 #include "ContourFiltersModule.h" // for export macro
 #include "Contours/ContourMapping.h"
 
+#include <string>
+
+class vtkDataObject;
+class vtkPolyData;
 class vtkTable;
 
 namespace recon
@@ -17,8 +21,9 @@ namespace recon
  * Appends a table's rows to the forced and forbidden joins.
  *
  * Columns `LowerContour`, `UpperContour` (ContourId; either order) and `Join` (1 force, 0 forbid)
- * of any type that holds whole numbers, also text such as a CSV file gives. A row with -1 for a
- * contour or an empty `Join` asks for nothing. Further columns do not matter.
+ * of any type that holds whole numbers, also text such as a CSV file gives; where there is no
+ * `Join`, `Joined` is it, so that a table that WriteJoins made is followed as it is. A row with -1
+ * for a contour or an empty `Join` asks for nothing. Further columns do not matter.
  *
  * @throws Error where a column is missing or a value is no number of that kind
  */
@@ -31,6 +36,22 @@ CONTOURFILTERS_EXPORT void ReadJoinOverrides(vtkTable* table, ContourMappingOpti
  * `Words`.
  */
 CONTOURFILTERS_EXPORT void WriteJoins(const ContourMapping& mapping, vtkTable* table);
+
+/**
+ * The decisions about pairs of contours as field data of the contours, so that they are not
+ * forgotten by what comes next: `JoinLower`, `JoinUpper` (ContourId) and `JoinJoined` (0 or 1).
+ */
+CONTOURFILTERS_EXPORT void WriteMapping(const ContourMapping& mapping, vtkDataObject* output);
+
+/**
+ * Appends what WriteMapping wrote on the input to the forced and forbidden joins, but for pairs
+ * that these name already.
+ *
+ * @param contours that the input became; their order may be another
+ * @return a sentence for Report; empty where no mapping came with the contours
+ */
+[[nodiscard]] CONTOURFILTERS_EXPORT std::string ReadMapping(
+  vtkPolyData* input, const ContourSet& contours, ContourMappingOptions& options);
 }
 
 #endif

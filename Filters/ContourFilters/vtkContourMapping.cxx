@@ -46,6 +46,7 @@ void FillOutputs(const recon::ContourSet& set, const recon::ContourMapping& mapp
 {
   recon::ToPolyData(set, output);
   AddGroups(mapping, set.Contours.size(), output);
+  recon::WriteMapping(mapping, output);
   recon::PassCellData(set, input, output);
   std::vector<std::string> report = set.Report;
   report.insert(report.end(), mapping.Report.begin(), mapping.Report.end());

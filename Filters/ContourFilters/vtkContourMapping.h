@@ -7,7 +7,8 @@
  * on parallel planes, as for vtkContourHierarchy; its own output is best, since overrides name
  * contours by `ContourId`. Input port 1, optional: a vtkTable of overrides with columns
  * `LowerContour`, `UpperContour` and `Join` (1 force, 0 forbid); they add to those of the methods
- * below. The table of joins of output port 1 with a column `Join` added to it is such a table.
+ * below. The table of joins of output port 1 is such a table, with its column `Joined`, or with a
+ * column `Join` added to it.
  *
  * Regions are what lies inside a contour and outside the contours directly inside that: solid ones
  * inside outer walls, holes inside the walls of holes. Two regions of the same kind on adjacent
@@ -18,7 +19,8 @@
  * Output port 0: contours as vtkContourHierarchy writes them, with cell arrays `MappingGroupBelow`
  * and `MappingGroupAbove`: the mapping group of the contour with those of the level below, or above
  * (-1 on the first, or last, level). Groups are numbered from 0 through all slabs, lowest slab
- * first. Overrides that cannot be followed are in `Report`.
+ * first. Overrides that cannot be followed are in `Report`. Field data `JoinLower`, `JoinUpper` and
+ * `JoinJoined` hold the decisions for vtkPolyhedralSurface behind it, which follows them.
  *
  * Output port 1: vtkTable, a row a decision: `Slab` (0 between the two lowest levels),
  * `LowerContour`, `UpperContour` (ContourId of the wall; -1 for a region with no partner),

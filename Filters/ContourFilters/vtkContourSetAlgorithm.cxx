@@ -10,6 +10,7 @@ void vtkContourSetAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "HoleRule: " << this->HoleRule << endl;
   os << indent << "PlaneTolerance: " << this->PlaneTolerance << endl;
+  os << indent << "SnapTolerance: " << this->SnapTolerance << endl;
 }
 
 recon::ContourSet vtkContourSetAlgorithm::ReadContours(
@@ -18,6 +19,7 @@ recon::ContourSet vtkContourSetAlgorithm::ReadContours(
   recon::ContourSetOptions options;
   options.Parallel = parallel;
   options.PlaneTolerance = this->PlaneTolerance;
+  options.SnapTolerance = this->SnapTolerance;
   options.Holes = static_cast<recon::HoleRule>(this->HoleRule);
   return recon::ReadContours(input, options, monitor);
 }

@@ -67,6 +67,17 @@ public:
   vtkGetMacro(PlaneTolerance, double);
   ///@}
 
+  ///@{
+  /**
+   * In a plane, points and edges that are nearer than this become one, and slivers that are narrower
+   * vanish; in the units of the input. 0, the default: a ten millionth of each contour's diagonal.
+   * Outlines that are stored twice with other decimals, or traced twice, are one contour at any
+   * setting. What either changes has a line in `Report`.
+   */
+  vtkSetClampMacro(SnapTolerance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(SnapTolerance, double);
+  ///@}
+
 protected:
   vtkContourSetAlgorithm() = default;
   ~vtkContourSetAlgorithm() override = default;
@@ -86,6 +97,7 @@ private:
 
   int HoleRule = Automatic;
   double PlaneTolerance = 1e-5;
+  double SnapTolerance = 0;
 };
 
 #endif

@@ -173,10 +173,11 @@ int vtkContourTriangulation::RequestData(
     {
       vtkContourMonitor cleaning(this, 0.0, 0.2);
       const recon::ContourSet contours = this->ReadContours(input, true, cleaning);
-      vtkContourMonitor triangulating(this, 0.2, 1.0);
       std::vector<std::string> report = contours.Report;
-      const Levels levels = Triangulate(
-        contours, this->GetOptions(vtkTable::GetData(inputVector[1], 0)), triangulating, report);
+      const recon::PolyhedralOptions options =
+        this->GetOptions(input, contours, vtkTable::GetData(inputVector[1], 0), report);
+      vtkContourMonitor triangulating(this, 0.2, 1.0);
+      const Levels levels = Triangulate(contours, options, triangulating, report);
       FillTriangles(contours, levels, triangles);
       FillSkeletons(contours, levels, skeletons);
       for (vtkPolyData* output : { triangles, skeletons })

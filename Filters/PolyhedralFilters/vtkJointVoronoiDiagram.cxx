@@ -219,12 +219,14 @@ int vtkJointVoronoiDiagram::RequestData(
     {
       vtkContourMonitor cleaning(this, 0.0, 0.1);
       const recon::ContourSet contours = this->ReadContours(input, true, cleaning);
+      std::vector<std::string> report = contours.Report;
+      const recon::PolyhedralOptions options =
+        this->GetOptions(input, contours, vtkTable::GetData(inputVector[1], 0), report);
       vtkContourMonitor building(this, 0.1, 1.0);
-      const recon::PolyhedralStages stages = recon::BuildPolyhedralStages(
-        contours, this->GetOptions(vtkTable::GetData(inputVector[1], 0)), building);
+      const recon::PolyhedralStages stages =
+        recon::BuildPolyhedralStages(contours, options, building);
       FillTetrahedra(contours, stages, tetrahedra);
       FillGraph(contours, stages, graph);
-      std::vector<std::string> report = contours.Report;
       report.insert(report.end(), stages.Report.begin(), stages.Report.end());
       for (vtkDataObject* output : std::initializer_list<vtkDataObject*>{ tetrahedra, graph })
       {

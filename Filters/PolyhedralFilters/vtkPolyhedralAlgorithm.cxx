@@ -60,7 +60,8 @@ void vtkPolyhedralAlgorithm::RemoveAllForbiddenJoins()
 }
 
 //------------------------------------------------------------------------------
-recon::PolyhedralOptions vtkPolyhedralAlgorithm::GetOptions(vtkTable* overrides) const
+recon::PolyhedralOptions vtkPolyhedralAlgorithm::GetOptions(vtkPolyData* input,
+  const recon::ContourSet& contours, vtkTable* overrides, std::vector<std::string>& report) const
 {
   recon::ContourMappingOptions joins;
   joins.ForcedJoins = this->ForcedJoins;
@@ -68,6 +69,11 @@ recon::PolyhedralOptions vtkPolyhedralAlgorithm::GetOptions(vtkTable* overrides)
   if (overrides)
   {
     recon::ReadJoinOverrides(overrides, joins);
+  }
+  const std::string sentence = recon::ReadMapping(input, contours, joins);
+  if (!sentence.empty())
+  {
+    report.push_back(sentence);
   }
   recon::PolyhedralOptions options;
   options.InternalPoints = this->InternalPoints;

@@ -12,8 +12,9 @@
 #include "PolyhedralFiltersModule.h" // for the export macro
 #include "vtkContourSetAlgorithm.h"
 
-#include <utility>
-#include <vector>
+#include <string>  // for std::string
+#include <utility> // for std::pair
+#include <vector>  // for std::vector
 
 class vtkTable;
 
@@ -147,8 +148,9 @@ public:
 
   /**
    * Optional second input: a vtkTable whose columns `LowerContour`, `UpperContour` and `Join` (1
-   * force, 0 forbid) add to the forced and forbidden joins; the table that Contour Mapping gives,
-   * edited, will do.
+   * force, 0 forbid) add to the forced and forbidden joins; the table that Contour Mapping gives
+   * will do, as it is or edited. Contours that come from Contour Mapping bring its decisions along:
+   * they are followed, with a line in `Report`, but for pairs that are forced or forbidden here.
    */
   void SetOverridesConnection(vtkAlgorithmOutput* overrides);
 
@@ -158,9 +160,14 @@ protected:
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
 
-  /// @param overrides the second input, or nullptr
-  /// @throws recon::Error for a table that is none of overrides
-  recon::PolyhedralOptions GetOptions(vtkTable* overrides) const;
+  /**
+   * The properties, the overrides (the second input, or nullptr), and the mapping that came with
+   * the contours, about which there is a line in report then.
+   *
+   * @throws recon::Error for a table that is none of overrides
+   */
+  recon::PolyhedralOptions GetOptions(vtkPolyData* input, const recon::ContourSet& contours,
+    vtkTable* overrides, std::vector<std::string>& report) const;
 
 private:
   vtkPolyhedralAlgorithm(const vtkPolyhedralAlgorithm&) = delete;

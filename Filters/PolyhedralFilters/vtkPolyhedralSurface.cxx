@@ -15,10 +15,15 @@
 #include "vtkPolyData.h"
 #include "vtkTable.h"
 
+#include <algorithm>
+
 vtkStandardNewMacro(vtkPolyhedralSurface);
 
 namespace
 {
+/// Where a larger part of the contours is left out, a line in Report is not enough.
+constexpr double WarnBeyond = 0.1;
+
 void AddStages(const std::vector<std::pair<std::string, double>>& stages, vtkFieldData* data)
 {
   std::vector<std::string> names;
@@ -32,6 +37,28 @@ void AddStages(const std::vector<std::pair<std::string, double>>& stages, vtkFie
   recon::AddArray(data, "StageSeconds", seconds);
 }
 
+/// Contours of which not one point is a point of the surface.
+std::size_t CountLeftOut(const recon::ContourSet& contours, const recon::TriangleMesh& mesh)
+{
+  std::vector<recon::Point3> points = mesh.Points;
+  std::sort(points.begin(), points.end());
+  const auto isInSurface = [&](int p)
+  { return std::binary_search(points.begin(), points.end(), contours.Points[p]); };
+  return std::count_if(contours.Contours.begin(), contours.Contours.end(),
+    [&](const recon::Contour& c)
+    { return std::none_of(c.Points.begin(), c.Points.end(), isInSurface); });
+}
+
+/// Nothing is ever an empty surface without an error.
+void CheckNotEmpty(const recon::PolyhedralSurface& surface, const std::vector<std::string>& report)
+{
+  if (surface.Mesh.Triangles.empty())
+  {
+    throw recon::Error(
+      "No surface came out: " + (report.empty() ? "no contour has a partner." : report.back()));
+  }
+}
+
 void FillOutput(
   const recon::ContourSet& contours, const recon::PolyhedralSurface& surface, vtkPolyData* output)
 {
@@ -39,6 +66,7 @@ void FillOutput(
   recon::AddArray(output->GetCellData(), "Slab", surface.Slab);
   recon::AddArray(output->GetCellData(), "FaceKind", surface.FaceKind);
   recon::AddArray(output->GetCellData(), "MappingGroup", surface.MappingGroup);
+  recon::AddArray(output->GetCellData(), "Piece", surface.Piece);
   recon::AddArray(output->GetPointData(), "PointKind", surface.PointKind);
   recon::AddLevels(contours, output);
   vtkFieldData* figures = output->GetFieldData();
@@ -60,12 +88,22 @@ int vtkPolyhedralSurface::RequestData(
     {
       vtkContourMonitor cleaning(this, 0.0, 0.1);
       const recon::ContourSet contours = this->ReadContours(input, true, cleaning);
-      vtkContourMonitor building(this, 0.1, 1.0);
-      const recon::PolyhedralSurface surface = recon::BuildPolyhedralSurface(
-        contours, this->GetOptions(vtkTable::GetData(inputVector[1], 0)), building);
-      FillOutput(contours, surface, output);
       std::vector<std::string> report = contours.Report;
+      const recon::PolyhedralOptions options =
+        this->GetOptions(input, contours, vtkTable::GetData(inputVector[1], 0), report);
+      vtkContourMonitor building(this, 0.1, 1.0);
+      const recon::PolyhedralSurface surface =
+        recon::BuildPolyhedralSurface(contours, options, building);
       report.insert(report.end(), surface.Report.begin(), surface.Report.end());
+      CheckNotEmpty(surface, report);
+      FillOutput(contours, surface, output);
+      const std::size_t leftOut = CountLeftOut(contours, surface.Mesh);
+      recon::AddValue(output->GetFieldData(), "LeftOutCount", leftOut);
+      if (leftOut > WarnBeyond * contours.Contours.size())
+      {
+        vtkWarningMacro(<< leftOut << " of " << contours.Contours.size()
+                        << " contours are left out of the surface: its Report says why.");
+      }
       recon::FinishOutput(input, report, output);
     });
 }

@@ -11,14 +11,16 @@
  * Output: triangles in the coordinates and unit of the input that bound a solid: closed, oriented
  * outward, a manifold, never crossing themselves, and through every contour vertex to the last bit.
  * - cell arrays: `Slab` (0 = between the two lowest levels), `FaceKind` (0 wall, 1 cap),
- *   `MappingGroup`;
+ *   `MappingGroup` (that of vtkContourMapping; -1 beyond the first and the last level, and where
+ *   Mapping is Proximity), `Piece` (of solid within its slab, counted from 0);
  * - point array: `PointKind` (0 input vertex, 1 added on a contour edge, 2 internal);
  * - field data: `Report` (a line for every contour repaired or left out, and why), `LevelNormal`,
- *   `LevelOffset` (a value a level), `ContourCount`, `EndCapVolume`, `IsolatedVolume`, `StageName`
+ *   `LevelOffset` (a value a level), `ContourCount`, `LeftOutCount`, `EndCapVolume`, `IsolatedVolume`, `StageName`
  *   and `StageSeconds` (wall time).
  *
  * Errors (a sentence through vtkErrorMacro, and no output): no usable contour; contours on one
- * plane only.
+ * plane only; contours of which no surface comes out. A warning: more than a tenth of the contours
+ * is left out.
  *
  * Thesis part II: chapters 5 (joint Voronoi diagram) and 6 (elimination, lifting, special cases).
  */

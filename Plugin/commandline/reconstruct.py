@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Contours to closed surfaces on the command line; run it as `./run reconstruct` or `contour-reconstruct`."""
+import signal
+
+signal.signal(signal.SIGINT, signal.SIG_DFL)  # Ctrl-C ends it, without the stack of whatever library it is in
 import argparse
 import json
 import os
-import re
 import sys
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
@@ -15,7 +17,9 @@ def parse(arguments):
         prog=os.environ.get("CONTOUR_PROGRAM", "contour-reconstruct"),
         description="Turn planar contours into closed surfaces and print what they are worth.",
         epilog="Of several ROIs each gets a file of its own: OUT with the ROI's name before the extension.")
-    parser.add_argument("input", metavar="IN", help="contours: " + " ".join(cli.READERS))
+    parser.add_argument("input", metavar="IN",
+                        help="contours: " + " ".join(list(cli.READERS) + list(cli.PARAVIEW_FORMATS)) +
+                             "; structure sets also without .dcm")
     parser.add_argument("output", metavar="OUT",
                         help="surface: " + " ".join(cli.SURFACE_FORMATS) +
                              "; or, of --method ism, contours on all slices as an RT structure set: .dcm")
@@ -25,7 +29,12 @@ def parse(arguments):
     parser.add_argument("--roi", nargs="+", metavar="NAME", default=[],
                         help="the ROIs of a structure set to take; all without this")
     parser.add_argument("--set", action="append", metavar="PROPERTY=VALUE", default=[], dest="settings",
-                        help="a property of the node (Polyhedral Surface or Implicit Surface); repeatable")
+                        help="a property of a node on the way, such as EndCaps=Flat; repeatable; a name that no node has "
+                             "lists those that they have")
+    parser.add_argument("--offset", metavar="X,Y,Z",
+                        help="take this from all coordinates that are written, for formats of single precision (.stl); "
+                             "auto: the middle of the surface, in whole numbers")
+    parser.add_argument("--force", action="store_true", help="replace OUT.dcm where it is there already")
     parser.add_argument("--reference", metavar="FILE",
                         help="for OUT.dcm: the RT structure set that the contours were drawn in, or one image of their "
                              "series; it gives patient, study and slices (IN, where that is one)")
@@ -34,13 +43,6 @@ def parse(arguments):
     parser.add_argument("--certificate", metavar="FILE.json",
                         help="write everything that is known about the surfaces")
     return parser.parse_args(arguments)
-
-
-def output_path(path, name, several):
-    if not several:
-        return path
-    stem, extension = os.path.splitext(path)
-    return f"{stem}-{re.sub(r'[^A-Za-z0-9._-]+', '_', name)}{extension}"
 
 
 def check_output(path):
@@ -72,6 +74,10 @@ def is_structure_set(path):
     return os.path.splitext(path)[1].lower() == cli.STRUCTURE_SET
 
 
+def is_dicom(path):
+    return is_structure_set(path) or cli.is_dicom(path)
+
+
 def check_structure_set(options):
     """What can be said about OUT.dcm before any work. Returns the reference."""
     if options.method != "ism":
@@ -79,7 +85,7 @@ def check_structure_set(options):
                                "add --method ism.")
     if options.certificate:
         raise cli.CommandError(f"--certificate is about surfaces, and {options.output} will hold contours.")
-    reference = options.reference or (options.input if is_structure_set(options.input) else None)
+    reference = options.reference or (options.input if is_dicom(options.input) else None)
     if not reference:
         raise cli.CommandError(f"{options.output} needs a patient and slices: give the RT structure set that the "
                                "contours were drawn in, or an image of the series, by --reference.")
@@ -88,68 +94,108 @@ def check_structure_set(options):
     for path in (reference, options.input):
         if os.path.exists(options.output) and os.path.samefile(path, options.output):
             raise cli.CommandError(f"{options.output} is read as well, and not overwritten; give another name.")
+    if os.path.exists(options.output) and not options.force:
+        raise cli.CommandError(f"{options.output} is there already; give another name, or --force to replace it.")
     return reference
+
+
+class Failures:
+    """What could not be done, a region each; the others are done all the same."""
+
+    def __init__(self, count, what):
+        self.count = count
+        self.what = what
+        self.found = []
+
+    def add(self, name, error):
+        words = str(error)
+        self.found.append((name, words[len(name) + 2:] if words.startswith(name + ": ") else words))
+
+    def check(self):
+        if self.found and self.count == 1:
+            name, why = self.found[0]
+            raise cli.CommandError(f"{name}: {why}")
+        if self.found:
+            raise cli.CommandError(f"{len(self.found)} of {self.count} ROIs gave no {self.what}: "
+                                   + "; ".join(f"{name}: {why}" for name, why in self.found))
 
 
 def write_structure_set(options, blocks, reference):
     writer = cli.StructureSetWriter(options.output, reference, options.settings, options.extrapolate)
+    failures = Failures(len(blocks), "contours")
     for block in blocks:
         bar = cli.ProgressBar(block.name)
         try:
             writer.trace(block, bar)
+        except cli.SettingError:
+            raise
+        except cli.CommandError as error:
+            failures.add(block.name, error)
         finally:
             bar.clear()
-    writer.write()
-    print(cli.format_table(writer.rows, ["", "contours drawn", "written", "slices", "seconds"]))
-    print("\nWritten: " + options.output)
+    if writer.traced:
+        writer.write()
+        print(cli.format_table(writer.rows, ["", "contours drawn", "written", "slices", "seconds"]))
+        print("\nWritten: " + options.output)
+    failures.check()
 
 
-def run(options):
-    check_output(options.output)
-    reference = check_structure_set(options) if is_structure_set(options.output) else None
-    if (options.reference or options.extrapolate) and not reference:
-        raise cli.CommandError("--reference and --extrapolate are for an RT structure set (.dcm), and "
-                               f"{options.output} is none.")
-    cli.load_plugin()
-    blocks, reading = cli.read_contours(options.input, options.roi)
-    filled = [block for block in blocks if not block.empty]
-    for block in blocks:
-        if block.empty:
-            print(f"{block.name}: no contours, nothing to do.")
-    if not filled:
-        raise cli.CommandError(f"{options.input} holds no contours.")
-
-    if reference:
-        write_structure_set(options, filled, reference)
-        return
-
-    results, failures, files, writing = [], [], [], 0.0
-    for block in filled:
+def write_surfaces(options, blocks, reading):
+    results, files, writing = [], [], 0.0
+    failures = Failures(len(blocks), "surface")
+    offset = cli.parse_offset(options.offset)
+    for block, path in zip(blocks, cli.output_paths(options.output, blocks)):
         bar = cli.ProgressBar(block.name)
         try:
             result = cli.reconstruct(block, options.method, options.settings, bar)
-            path = output_path(options.output, block.name, len(filled) > 1)
-            if path in files:
-                raise cli.CommandError(f"another ROI has the file name {path} already; take them one by one with --roi.")
-            writing += cli.write_surface(path, result)
+            bar.clear()
+            writing += cli.write_surface(path, result, offset)
             results.append(result)
             files.append(path)
+        except cli.SettingError:
+            raise
         except cli.CommandError as error:
-            failures.append((block.name, str(error)))
+            failures.add(block.name, error)
         finally:
             bar.clear()
-
     if results:
         cli.print_results(results, [("read", reading), ("write", writing)])
         print("\nWritten: " + ", ".join(files))
     if options.certificate and results:
         write_certificate(options.certificate, results)
         print("Written: " + options.certificate)
-    if len(filled) == 1 and failures:
-        raise cli.CommandError(failures[0][1])
-    if failures:
-        raise cli.CommandError(f"{len(failures)} of {len(filled)} ROIs gave no surface: "
-                               + "; ".join(f"{name}: {why}" for name, why in failures))
+    failures.check()
+
+
+def check_options(options):
+    """What can be said before any work. Returns the reference of a structure set, None for surfaces."""
+    check_output(options.output)
+    reference = check_structure_set(options) if is_structure_set(options.output) else None
+    if (options.reference or options.extrapolate) and not reference:
+        raise cli.CommandError("--reference and --extrapolate are for an RT structure set (.dcm), and "
+                               f"{options.output} is none.")
+    if options.offset and reference:
+        raise cli.CommandError("--offset is for surfaces: contours in a structure set stay where the patient is.")
+    cli.parse_offset(options.offset)
+    return reference
+
+
+def run(options):
+    reference = check_options(options)
+    cli.load_plugin()
+    blocks, reading = cli.read_contours(options.input, options.roi)
+    filled = [block for block in blocks if not block.nothing]
+    for block in blocks:
+        if block.nothing:
+            print(f"{block.name}: {block.nothing}, nothing to do.")
+    if not filled:
+        if any(block.nothing != "no contours" for block in blocks):
+            return  # points and open contours, which are nothing to be reconstructed
+        raise cli.CommandError(f"{options.input} holds no contours.")
+    if reference:
+        write_structure_set(options, filled, reference)
+    else:
+        write_surfaces(options, filled, reading)
 
 
 def main():

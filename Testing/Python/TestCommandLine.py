@@ -129,6 +129,18 @@ fails("There is no folder", brain, os.path.join("nowhere", "out.vtp"))
 fails("no property 'Nonsense'", brain, "out.vtp", "--set", "Nonsense=1")
 fails("PROPERTY=VALUE", brain, "out.vtp", "--set", "InternalPoints")
 fails("--roi needs a DICOM", brain, "out.vtp", "--roi", "Heart")
+# Settings are checked against what the nodes say of them, names in any case.
+for setting, words in (("EndCaps=Round", "one of Flat, HalfSlice, Tapered, None"), ("OverlapThreshold=7", "from 0 to 0.99"),
+                       ("InternalPoints=maybe", "on or off"), ("Threads=1.5", "no whole number"),
+                       ("ForcedJoins=1,2,3", "by 2, and here are 3"), ("Overrides=absent.csv", "no file absent.csv")):
+    fails(words, pipe, "out.vtp", "--set", setting)
+fails("give X,Y,Z", pipe, "out.vtp", "--offset", "1,2")
+fails("--offset is for surfaces", "drawn.dcm", "out.dcm", "--method", "ism", "--offset", "auto")
+fails("--force to replace it", "drawn.dcm", "all.dcm", "--method", "ism")
+fails("has no ROI 'Bal'; it has: Body, Ball", "drawn.dcm", "out.vtp", "--roi", "Bal")
+succeeds(pipe, "flat.vtp", "--set", "endcaps=FLAT", "--set", "hole_rule=even odd", "--set", "weld=off")
+succeeds("drawn.dcm", "ball.stl", "--roi", "bALL", "--force")
+
 with open(ct.output("broken.cnt"), "w", encoding="ascii") as file:
     file.write("S 2\nv 3 z 0\n{\n0 0\n1 0\n")
 fails("broken.cnt", ct.output("broken.cnt"), "out.vtp")

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Polyhedral/PolyhedralSurface.h"
 
+#include "Polyhedral/FaceGroups.h"
 #include "Polyhedral/PolyhedralStages.h"
 #include "Polyhedral/SolidBoundary.h"
 #include "Polyhedral/SolidComplex.h"
@@ -97,10 +98,13 @@ private:
 
   void CopyFaces(const SolidComplex& solid, const SolidBoundary& boundary)
   {
-    const std::vector<int> groups = GroupCells(solid);
+    const std::vector<int> pieces = FindPieces(solid);
+    const std::vector<int> groups =
+      FindFaceGroups(this->Contours, this->Stages, solid, boundary, pieces);
     int leftOpen = 0;
-    for (const auto& face : boundary.Faces)
+    for (std::size_t f = 0; f < boundary.Faces.size(); ++f)
     {
+      const SolidBoundary::Face& face = boundary.Faces[f];
       const bool cap = LiesInPlane(solid, boundary, face);
       if (cap && this->Options.EndCaps == PolyhedralOptions::NoCaps)
       {
@@ -110,45 +114,14 @@ private:
       this->Result.Mesh.Triangles.push_back(face.Points);
       this->Result.Slab.push_back(solid.Cells[face.Cell].Slab);
       this->Result.FaceKind.push_back(cap ? PolyhedralSurface::Cap : PolyhedralSurface::Wall);
-      this->Result.MappingGroup.push_back(groups[face.Cell]);
+      this->Result.MappingGroup.push_back(groups[f]);
+      this->Result.Piece.push_back(pieces[face.Cell]);
     }
     if (this->Options.EndCaps == PolyhedralOptions::NoCaps)
     {
       this->Result.Report.push_back("The surface is open: EndCaps is None, so " +
         std::to_string(leftOpen) + " triangles in the planes of ends were left out.");
     }
-  }
-
-  /// Pieces of solid that hang together within a slab, numbered in the order of the cells.
-  static std::vector<int> GroupCells(const SolidComplex& solid)
-  {
-    std::vector<int> groups(solid.Cells.size(), -1);
-    std::vector<int> stack;
-    int count = 0;
-    for (std::size_t c = 0; c < groups.size(); ++c)
-    {
-      if (groups[c] >= 0)
-      {
-        continue;
-      }
-      groups[c] = count;
-      stack.push_back(static_cast<int>(c));
-      while (!stack.empty())
-      {
-        const auto& cell = solid.Cells[stack.back()];
-        stack.pop_back();
-        for (int n : cell.Neighbours)
-        {
-          if (n >= 0 && groups[n] < 0 && solid.Cells[n].Slab == cell.Slab)
-          {
-            groups[n] = count;
-            stack.push_back(n);
-          }
-        }
-      }
-      ++count;
-    }
-    return groups;
   }
 
   static double VolumeOf(const SolidComplex& solid, const SolidComplex::Cell& cell)

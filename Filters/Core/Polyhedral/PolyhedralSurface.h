@@ -39,8 +39,10 @@ struct PolyhedralSurface
   /// slabs are caps that stand out below the first and above the last level.
   std::vector<int> Slab;
   std::vector<int> FaceKind; ///< a triangle: FaceKindType
-  std::vector<int>
-    MappingGroup;             ///< a triangle: number of the group of contours that its slab joins
+  /// A triangle: number of its group in ContourMapping::Groups; -1 where there is none, see
+  /// FaceGroups.h.
+  std::vector<int> MappingGroup;
+  std::vector<int> Piece;     ///< a triangle: number of the piece of solid within its slab
   std::vector<int> PointKind; ///< a point: LevelTriangulation::PointKindType
   double EndCapVolume =
     0; ///< cubic units that the caps of ends add to the solid between the levels

@@ -131,6 +131,7 @@ inline void ExpectLabels(const PolyhedralSurface& surface, const ContourSet& con
   ASSERT_EQ(surface.Slab.size(), triangles);
   ASSERT_EQ(surface.FaceKind.size(), triangles);
   ASSERT_EQ(surface.MappingGroup.size(), triangles);
+  ASSERT_EQ(surface.Piece.size(), triangles);
   ASSERT_EQ(surface.PointKind.size(), surface.Mesh.Points.size());
   const int slabs = static_cast<int>(contours.Levels.size()) - 1;
   const auto& frame = contours.Levels[0].Frame;
@@ -232,6 +233,7 @@ inline void ExpectEqualSurfaces(const PolyhedralSurface& a, const PolyhedralSurf
   EXPECT_TRUE(a.Mesh.Triangles == b.Mesh.Triangles);
   EXPECT_EQ(a.Slab == b.Slab && a.FaceKind == b.FaceKind, true);
   EXPECT_TRUE(a.MappingGroup == b.MappingGroup);
+  EXPECT_TRUE(a.Piece == b.Piece);
   EXPECT_TRUE(a.PointKind == b.PointKind);
   EXPECT_EQ(a.Report, b.Report);
 }

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Polyhedral/FaceGroups.h"
+
+#include <algorithm>
+#include <map>
+
+namespace recon
+{
+namespace
+{
+constexpr int NoContour = -1;
+constexpr int NoGroup = -1;
+
+/// Of every point its contour; NoContour for one that contours share.
+std::vector<int> ContoursOfPoints(const ContourSet& contours)
+{
+  std::vector<int> contourOf(contours.Points.size(), NoContour);
+  std::vector<unsigned char> seen(contours.Points.size(), 0);
+  for (std::size_t c = 0; c < contours.Contours.size(); ++c)
+  {
+    for (const int p : contours.Contours[c].Points)
+    {
+      contourOf[p] = seen[p] ? NoContour : static_cast<int>(c);
+      seen[p] = 1;
+    }
+  }
+  return contourOf;
+}
+
+/// Groups by what their faces' corners say.
+class GroupVotes
+{
+public:
+  GroupVotes(const ContourSet& contours, const PolyhedralStages& stages, const SolidComplex& solid)
+    : Stages(stages),
+      Solid(solid),
+      ContourOf(ContoursOfPoints(contours)),
+      Below(contours.Contours.size(), NoGroup),
+      Above(contours.Contours.size(), NoGroup)
+  {
+    int number = 0;
+    for (const MappingGroup& group : stages.Mapping.Groups)
+    {
+      for (const int c : group.LowerContours)
+      {
+        this->Above[c] = number;
+      }
+      for (const int c : group.UpperContours)
+      {
+        this->Below[c] = number;
+      }
+      ++number;
+    }
+  }
+
+  int GroupAt(int vertex, int slab) const
+  {
+    const SolidComplex::Vertex& v = this->Solid.Vertices[vertex];
+    if (v.Lifted || v.Local < 0)
+    {
+      return NoGroup;
+    }
+    const int source = this->Stages.Levels[v.Level].Triangulation.Source[v.Local];
+    const int contour = source >= 0 ? this->ContourOf[source] : NoContour;
+    if (contour == NoContour)
+    {
+      return NoGroup;
+    }
+    return v.Level == slab ? this->Above[contour] : this->Below[contour];
+  }
+
+private:
+  const PolyhedralStages& Stages;
+  const SolidComplex& Solid;
+  std::vector<int> ContourOf;
+  std::vector<int> Below; ///< of a contour: its group in the slab below its level
+  std::vector<int> Above;
+};
+
+/// The group with most votes, of equals the first.
+int WinnerOf(const std::map<int, int>& votes)
+{
+  const auto most = std::max_element(
+    votes.begin(), votes.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  return most == votes.end() ? NoGroup : most->first;
+}
+}
+
+std::vector<int> FindPieces(const SolidComplex& solid)
+{
+  std::vector<int> pieces(solid.Cells.size(), -1);
+  std::vector<int> stack;
+  int count = 0;
+  for (std::size_t c = 0; c < pieces.size(); ++c)
+  {
+    if (pieces[c] >= 0)
+    {
+      continue;
+    }
+    pieces[c] = count;
+    stack.push_back(static_cast<int>(c));
+    while (!stack.empty())
+    {
+      const auto& cell = solid.Cells[stack.back()];
+      stack.pop_back();
+      for (const int n : cell.Neighbours)
+      {
+        if (n >= 0 && pieces[n] < 0 && solid.Cells[n].Slab == cell.Slab)
+        {
+          pieces[n] = count;
+          stack.push_back(n);
+        }
+      }
+    }
+    ++count;
+  }
+  return pieces;
+}
+
+std::vector<int> FindFaceGroups(const ContourSet& contours, const PolyhedralStages& stages,
+  const SolidComplex& solid, const SolidBoundary& boundary, const std::vector<int>& pieces)
+{
+  std::vector<int> groups(boundary.Faces.size(), NoGroup);
+  if (stages.Mapping.Groups.empty())
+  {
+    return groups;
+  }
+  const GroupVotes votes(contours, stages, solid);
+  std::map<int, std::map<int, int>> ofPiece;
+  for (std::size_t f = 0; f < groups.size(); ++f)
+  {
+    const SolidBoundary::Face& face = boundary.Faces[f];
+    std::map<int, int> ofFace;
+    for (const int p : face.Points)
+    {
+      const int group = votes.GroupAt(boundary.Points[p].Vertex, solid.Cells[face.Cell].Slab);
+      if (group != NoGroup && boundary.Points[p].OtherVertex < 0)
+      {
+        ++ofFace[group];
+        ++ofPiece[pieces[face.Cell]][group];
+      }
+    }
+    groups[f] = WinnerOf(ofFace);
+  }
+  for (std::size_t f = 0; f < groups.size(); ++f)
+  {
+    if (groups[f] == NoGroup)
+    {
+      groups[f] = WinnerOf(ofPiece[pieces[boundary.Faces[f].Cell]]);
+    }
+  }
+  return groups;
+}
+}
