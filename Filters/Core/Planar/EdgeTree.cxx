@@ -10,6 +10,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -69,6 +70,9 @@ struct EdgeTree::Implementation
     this->Boxes.traversal(0, descent);
   }
 
+  template <typename Count>
+  double Nearest(const Point2& p, double reach, const Count& count) const;
+
   template <typename Visit>
   void ForNear(const Box2& window, const Visit& visit) const
   {
@@ -83,6 +87,14 @@ struct EdgeTree::Implementation
       });
   }
 };
+
+bool Meet(const PlanarSegment& a, const PlanarSegment& b)
+{
+  const auto ends = [](const PlanarSegment& s) {
+    return Kernel::Segment_2({ s.A[0], s.A[1] }, { s.B[0], s.B[1] });
+  };
+  return CGAL::do_intersect(ends(a), ends(b));
+}
 
 double DistanceToSegment(const Point2& p, const PlanarSegment& segment)
 {
@@ -103,7 +115,7 @@ EdgeTree::EdgeTree(std::vector<PlanarSegment> segments) : Impl(std::make_unique<
   {
     this->Impl->Lines.emplace_back(At(s.A), At(s.B));
   }
-  this->Impl->Boxes.insert(this->Impl->Lines.begin(), this->Impl->Lines.end());
+  this->Impl->Boxes.rebuild(this->Impl->Lines.begin(), this->Impl->Lines.end());
   // Now, as the first of several threads to ask must not be the one to build.
   this->Impl->Boxes.build();
 }
@@ -135,7 +147,8 @@ EdgeTree::SideType EdgeTree::SideOf(const Point2& p) const
   return on ? On : inside ? Inside : Outside;
 }
 
-double EdgeTree::DistanceWithin(const Point2& p, double reach) const
+template <typename Count>
+double EdgeTree::Implementation::Nearest(const Point2& p, double reach, const Count& count) const
 {
   const auto meets = [&](const CGAL::Bbox_3& box)
   {
@@ -143,13 +156,44 @@ double EdgeTree::DistanceWithin(const Point2& p, double reach) const
     const double dy = std::max({ box.ymin() - p[1], p[1] - box.ymax(), 0.0 });
     return dx <= reach && dy <= reach;
   };
-  this->Impl->Descend(meets,
+  this->Descend(meets,
     [&](int e)
     {
-      reach =
-        std::min(reach, DistanceToSegment(p, this->Impl->Segments[static_cast<std::size_t>(e)]));
+      if (count(e))
+      {
+        reach = std::min(reach, DistanceToSegment(p, this->Segments[static_cast<std::size_t>(e)]));
+      }
     });
   return reach;
+}
+
+double EdgeTree::DistanceWithin(const Point2& p, double reach) const
+{
+  return this->Impl->Nearest(p, reach, [](int) { return true; });
+}
+
+double EdgeTree::DistanceWithin(
+  const Point2& p, double reach, const std::function<bool(int)>& count) const
+{
+  return this->Impl->Nearest(p, reach, count);
+}
+
+double EdgeTree::DistanceWithin(const PlanarSegment& segment, double reach) const
+{
+  // Segments that do not cross are nearest at an end of one of them.
+  reach = this->DistanceWithin(segment.B, this->DistanceWithin(segment.A, reach));
+  this->Impl->ForNear(Box2::Around(std::array<Point2, 2>{ segment.A, segment.B }).Grown(reach),
+    [&](int e)
+    {
+      const PlanarSegment& s = this->Impl->Segments[static_cast<std::size_t>(e)];
+      reach = std::min({ reach, DistanceToSegment(s.A, segment), DistanceToSegment(s.B, segment) });
+    });
+  return reach;
+}
+
+double EdgeTree::Distance(const Point2& p) const
+{
+  return std::sqrt(this->Impl->Boxes.squared_distance(At(p)));
 }
 
 void EdgeTree::ForNear(

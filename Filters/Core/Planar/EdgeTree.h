@@ -20,6 +20,9 @@ struct PlanarSegment
   Point2 B;
 };
 
+/// Whether two segments have a point in common; exact.
+bool Meet(const PlanarSegment& a, const PlanarSegment& b);
+
 /// To the nearest point of a segment of some length.
 double DistanceToSegment(const Point2& p, const PlanarSegment& segment);
 
@@ -47,6 +50,14 @@ public:
 
   /// To the nearest segment, but no more than reach.
   double DistanceWithin(const Point2& p, double reach) const;
+  /// The same for those segments that count(number) wants.
+  double DistanceWithin(const Point2& p, double reach, const std::function<bool(int)>& count) const;
+  /// The same of another segment that crosses none.
+  double DistanceWithin(const PlanarSegment& segment, double reach) const;
+
+  /// To the nearest segment; there has to be one. The tree's own search, which takes many more
+  /// steps in an hour, and rounds in the last bit otherwise than DistanceWithin.
+  double Distance(const Point2& p) const;
 
   /// Calls visit(number) for every segment whose box meets that from low to high, in an order that
   /// depends on the segments only.

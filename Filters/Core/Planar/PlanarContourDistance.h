@@ -6,9 +6,8 @@
 #ifndef recon_PlanarContourDistance_h
 #define recon_PlanarContourDistance_h
 
+#include "Planar/EdgeTree.h"
 #include "Polyhedral/LevelTriangulation.h"
-
-#include <memory>
 
 namespace recon
 {
@@ -16,14 +15,12 @@ class PlanarContourDistance
 {
 public:
   explicit PlanarContourDistance(const LevelTriangulation& level);
-  ~PlanarContourDistance();
 
   /// To the nearest point of any contour edge of the level, in units of the input.
-  double operator()(const Point2& p) const;
+  double operator()(const Point2& p) const { return this->Edges.Distance(p); }
 
 private:
-  struct Implementation;
-  std::unique_ptr<Implementation> Impl;
+  EdgeTree Edges;
 };
 }
 

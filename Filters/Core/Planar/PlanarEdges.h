@@ -7,6 +7,7 @@
 #define recon_PlanarEdges_h
 
 #include "Contours/ContourSet.h"
+#include "Planar/EdgeTree.h"
 
 #include <vector>
 
@@ -25,26 +26,22 @@ public:
   {
     int From; ///< point index; the solid is on the left of From -> To (ContourSet.h)
     int To;
-    Point2 A;
-    Point2 B;
   };
 
   PlanarEdges(const ContourSet& contours, int level);
 
-  enum SideType
-  {
-    Outside = -1,
-    On = 0,
-    Inside = 1
-  };
+  using SideType = EdgeTree::SideType;
+  static constexpr SideType Outside = EdgeTree::Outside;
+  static constexpr SideType On = EdgeTree::On;
+  static constexpr SideType Inside = EdgeTree::Inside;
 
   /// By even-odd over all contours of the level.
-  SideType SideOf(const Point2& p) const;
+  SideType SideOf(const Point2& p) const { return this->Tree.SideOf(p); }
 
   /// To the nearest edge that ends at the vertex.
   double DistanceToOwn(int vertex, const Point2& p) const;
 
-  /// To the nearest of all other edges; something above limit where there is none within it.
+  /// To the nearest of all other edges, but no more than limit.
   double DistanceToOthers(int vertex, const Point2& p, double limit) const;
 
   /// Does the segment from a vertex to p meet an edge that does not end at it?
@@ -58,17 +55,10 @@ public:
   const std::vector<int>& EdgesAt(int vertex) const;
 
 private:
-  template <typename Visit>
-  void ForStrips(double low, double high, const Visit& visit) const;
-  int StripOf(double y) const;
-
   std::vector<Edge> All;
+  EdgeTree Tree;                          ///< of All, in that order
   std::vector<std::vector<int>> AtVertex; ///< by point index less FirstVertex
   int FirstVertex = 0;
-  /// Edges by horizontal strips, so that a question looks at those near its height only.
-  std::vector<std::vector<int>> Strips;
-  double Bottom = 0;
-  double StripHeight = 1;
 };
 }
 

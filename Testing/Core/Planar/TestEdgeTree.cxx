@@ -75,6 +75,6 @@ TEST(EdgeTree, OfNothing)
 {
   const EdgeTree tree({});
   EXPECT_EQ(tree.SideOf({ 0, 0 }), EdgeTree::Outside);
-  EXPECT_EQ(tree.DistanceWithin({ 0, 0 }, 3), 3);
+  EXPECT_EQ(tree.DistanceWithin(Point2{ 0, 0 }, 3), 3);
 }
 }

@@ -81,7 +81,7 @@ private:
       {
         const double reach = part * std::abs(this->HeightOf(next) - this->HeightOf(m.Level));
         const Point3 there = m.Vertex + reach * direction;
-        const double room = this->RoomAt(vertex, m.Level, there, side, reach);
+        const double room = this->RoomAt(vertex, m.Level, there, side);
         if (!(reach > distance && room >= StepRoom * reach))
         {
           continue;
@@ -99,8 +99,7 @@ private:
   }
 
   /// Distance to the contours of the level, 0 on the wrong side of one.
-  double RoomAt(
-    int vertex, int level, const Point3& there, PlanarEdges::SideType side, double reach) const
+  double RoomAt(int vertex, int level, const Point3& there, PlanarEdges::SideType side) const
   {
     const PlanarEdges& edges = this->Edges[level];
     const PlanarFrame& frame = this->Contours.Levels[level].Frame;
@@ -110,7 +109,7 @@ private:
     {
       return 0;
     }
-    return std::min(edges.DistanceToOwn(vertex, at), edges.DistanceToOthers(vertex, at, reach));
+    return edges.DistanceToOthers(vertex, at, edges.DistanceToOwn(vertex, at));
   }
 
   /// How far above or below the surface lies by shape-based interpolation (the ratio of the

@@ -90,7 +90,8 @@ private:
       // The margin is judged where it will be, after rounding.
       const Point2 at = this->Frame.ToPlane(place);
       const double own = this->Edges.DistanceToOwn(v, at);
-      if (this->Edges.DistanceToOthers(v, at, own) > own && this->Edges.SideOf(at) == side &&
+      const double beyond = std::nextafter(own, HUGE_VAL);
+      if (this->Edges.DistanceToOthers(v, at, beyond) > own && this->Edges.SideOf(at) == side &&
         !this->Edges.CrossesOthers(v, from, at))
       {
         return own;
