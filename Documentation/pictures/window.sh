@@ -6,7 +6,7 @@ set -euo pipefail
 here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
 if [[ -z "${WINDOW_ON_DISPLAY:-}" ]]; then
   export WINDOW_ON_DISPLAY=yes
-  exec xvfb-run -a -n 330 -s '-screen 0 1320x820x24 -noreset' "$0" "$@"
+  exec xvfb-run -a -n 330 -s '-screen 0 1320x900x24 -noreset' "$0" "$@"
 fi
 
 home="$(mktemp -d)"
@@ -34,6 +34,8 @@ view.CameraViewUp, view.CameraFocalPoint, view.CameraPosition = [0, 0, 1], [0, 0
 ResetCamera()
 GetActiveCamera().Zoom(1.3)
 Render()
+brain.UpdatePipeline()
+brain.SMProxy.UpdatePropertyInformation()
 open("$home/ready", "w").close()
 END
 HOME="$home" PV_PLUGIN_PATH="$1" paraview --script="$home/scene.py" >"$home/log" 2>&1 &
@@ -43,10 +45,11 @@ for ((i = 0; i < 60; ++i)); do
   [[ -f "$home/ready" ]] && break
 done
 window="$(xdotool search --onlyvisible --name '^ParaView 5' | tail -n 1)"
-xdotool windowmove "$window" 0 0 windowsize "$window" 1320 820
+xdotool windowmove "$window" 0 0 windowsize "$window" 1320 900
 sleep 5
-# A wider panel, by its border.
+# A wider and higher panel, by its borders.
 xdotool mousemove 295 300 sleep 0.5 mousedown 1 sleep 0.5 mousemove 330 300 sleep 0.5 mousemove 370 300 sleep 0.5 mouseup 1
+xdotool mousemove 185 400 sleep 0.5 mousedown 1 sleep 0.5 mousemove 185 350 sleep 0.5 mousemove 185 300 sleep 0.5 mouseup 1
 xdotool mousemove 800 600
 sleep 5
 import -window root "$here/window.png"
