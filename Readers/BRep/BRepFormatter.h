@@ -2,6 +2,8 @@
 /**
  * @file BRepFormatter.h
  * @brief Writes the boundary representation of the thesis's appendix (.brep), without VTK.
+ *
+ * Its tests are among TestBRepParser's: what is written is right where it is read back.
  */
 #ifndef recon_BRepFormatter_h
 #define recon_BRepFormatter_h

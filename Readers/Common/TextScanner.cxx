@@ -29,22 +29,20 @@ bool IsText(char c)
   return IsSpace(c) || (code >= 0x20 && code != 0x7f);
 }
 
-/// A token as shown in a message: short and printable.
-std::string Shown(std::string_view token)
-{
-  std::string shown(token.substr(0, MaximumShown));
-  for (char& c : shown)
-  {
-    c = static_cast<unsigned char>(c) < 0x7f ? c : '?';
-  }
-  return "'" + shown + (token.size() > MaximumShown ? "...'" : "'");
-}
-
 std::string_view WithoutPlus(std::string_view token)
 {
   return token.size() > 1 && token[0] == '+' && token[1] != '-' ? token.substr(1) : token;
 }
+}
 
+std::string Quoted(std::string_view token)
+{
+  std::string shown(token.substr(0, MaximumShown));
+  for (char& c : shown)
+  {
+    c = c >= ' ' && c < '\x7f' ? c : '?';
+  }
+  return "'" + shown + (token.size() > MaximumShown ? "...'" : "'");
 }
 
 bool ParseNumber(std::string_view token, double& value)
@@ -214,7 +212,7 @@ void TextScanner::Fail(const std::string& sentence) const
 
 void TextScanner::FailExpected(const char* expected, std::string_view found) const
 {
-  this->Fail("expected " + std::string(expected) + ", found " + Shown(found) + ".");
+  this->Fail("expected " + std::string(expected) + ", found " + Quoted(found) + ".");
 }
 
 double TextScanner::GetFraction() const

@@ -71,6 +71,9 @@ bool ParseNumber(std::string_view token, double& value);
 /// An int from the whole of a token.
 bool ParseInteger(std::string_view token, int& value);
 
+/// A token in a message: short, printable, in quotes.
+std::string Quoted(std::string_view token);
+
 /// The first bytes of a file, none where it cannot be read; for telling formats apart.
 std::string ReadStart(const std::string& fileName, std::size_t bytes);
 }

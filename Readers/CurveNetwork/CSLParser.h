@@ -12,7 +12,8 @@
  * 6h0 label i0 ... i5      among the plane's rings, glued to its count
  * @endverbatim
  *
- * Blank lines, any line ending and rings of any orientation are read.
+ * Blank lines, any line ending and rings of any orientation are read. Its tests are among
+ * TestCurveNetworkParser's, as every file comes in through that.
  */
 #ifndef recon_CSLParser_h
 #define recon_CSLParser_h

@@ -12,7 +12,8 @@
  *                0 is outside
  * @endverbatim
  *
- * Blank lines and any line ending are read.
+ * Blank lines and any line ending are read. Its tests are among TestCurveNetworkParser's, as every
+ * file comes in through that.
  */
 #ifndef recon_ContourNetworkParser_h
 #define recon_ContourNetworkParser_h

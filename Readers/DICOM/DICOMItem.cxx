@@ -61,18 +61,6 @@ std::string_view WithoutLastBackslashes(std::string_view text)
   }
   return text;
 }
-
-/// Printable, and short.
-std::string Shown(std::string_view text)
-{
-  constexpr std::size_t longest = 24;
-  std::string shown(text.substr(0, longest));
-  for (char& c : shown)
-  {
-    c = c >= ' ' && c < '\x7f' ? c : '?';
-  }
-  return shown;
-}
 }
 
 std::string TagName(const DcmTagKey& key)
@@ -211,7 +199,7 @@ ContourPoints GetContourPoints(DcmItem& contour)
       if (!ParseNumber(text, value) && result.Fault.empty())
       {
         result.Fault = "expected a number as value " + std::to_string(values + 1) + " of " +
-          TagName(DCM_ContourData) + ", found '" + Shown(text) + "'";
+          TagName(DCM_ContourData) + ", found " + Quoted(text);
       }
       point[values % 3] = value;
       if (++values % 3 == 0)

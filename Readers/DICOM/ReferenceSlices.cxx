@@ -45,17 +45,27 @@ std::vector<double> OffsetsOfMost(const std::vector<ReferenceSlice>& slices)
   return most;
 }
 
+/// Those that differ: several series may have images in one plane.
+std::vector<double> PlanesAmong(const std::vector<double>& offsets)
+{
+  std::vector<double> planes;
+  for (const double offset : offsets)
+  {
+    if (planes.empty() || offset - planes.back() > OnPlane)
+    {
+      planes.push_back(offset);
+    }
+  }
+  return planes;
+}
+
 /// The median distance of neighbours; 0 where there are no two planes.
-double SpacingOf(const std::vector<double>& offsets)
+double SpacingOf(const std::vector<double>& planes)
 {
   std::vector<double> gaps;
-  for (std::size_t i = 1; i < offsets.size(); ++i)
+  for (std::size_t i = 1; i < planes.size(); ++i)
   {
-    // Several series may have images in one plane.
-    if (offsets[i] - offsets[i - 1] > OnPlane)
-    {
-      gaps.push_back(offsets[i] - offsets[i - 1]);
-    }
+    gaps.push_back(planes[i] - planes[i - 1]);
   }
   return Median(std::move(gaps));
 }
@@ -90,16 +100,17 @@ Vector3 SliceNormal(const Vector3& direction)
 ReferenceSlices::ReferenceSlices(std::vector<ReferenceSlice> slices, std::size_t listed)
   : Slices(std::move(slices))
 {
-  const std::vector<double> offsets = OffsetsOfMost(this->Slices);
-  const double spacing = SpacingOf(offsets);
+  const std::vector<double> planes = PlanesAmong(OffsetsOfMost(this->Slices));
+  const double spacing = SpacingOf(planes);
   if (spacing == 0)
   {
     this->Tolerance = OnPlane;
     return;
   }
-  const double intervals = std::round((offsets.back() - offsets.front()) / spacing);
+  const double intervals = std::round((planes.back() - planes.front()) / spacing);
   // With a slice between every two there would be twice as many intervals.
-  const bool isTrueSpacing = static_cast<double>(listed) < 2 * intervals + 1;
+  const std::size_t unknown = listed - std::min(listed, this->Slices.size());
+  const bool isTrueSpacing = static_cast<double>(planes.size() + unknown) < 2 * intervals + 1;
   this->Tolerance = isTrueSpacing ? spacing / 2 : std::min(OnPlane, spacing / 2);
 }
 

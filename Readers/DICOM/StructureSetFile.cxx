@@ -77,6 +77,7 @@ private:
   void ReadTypes();
   void MakeNamesUnique();
 
+  DecodedText TextOfName(DcmItem& item) const;
   std::string NameFrom(DcmItem& item, int number);
   std::string FrameFrom(DcmItem& item);
   int IndexOf(int number, const char* sequence);
@@ -110,9 +111,19 @@ void StructureSetFile::Internals::CheckClass()
     ", expected an RT structure set (RTStructureSetStorage).");
 }
 
+DecodedText StructureSetFile::Internals::TextOfName(DcmItem& item) const
+{
+  DecodedText name = this->CharacterSet.Decode(GetText(item, DCM_ROIName));
+  // Control characters are no part of names, and would break the lines of a report.
+  std::replace_if(
+    name.Text.begin(), name.Text.end(), [](char c) { return (c >= 0 && c < ' ') || c == '\x7f'; },
+    '_');
+  return name;
+}
+
 std::string StructureSetFile::Internals::NameFrom(DcmItem& item, int number)
 {
-  const DecodedText name = this->CharacterSet.Decode(GetText(item, DCM_ROIName));
+  const DecodedText name = this->TextOfName(item);
   if (name.Outcome != DecodedText::How::Explained)
   {
     this->Report.push_back("ROI number " + std::to_string(number) +
@@ -169,9 +180,9 @@ void StructureSetFile::Internals::ReadROIs()
     if (!GetNumber(*item, DCM_ROINumber, roi.Number))
     {
       this->Report.push_back("Item " + std::to_string(position) + " of " +
-        TagName(DCM_StructureSetROISequence) + " (\"" +
-        this->CharacterSet.Decode(GetText(*item, DCM_ROIName)).Text + "\") has no " +
-        TagName(DCM_ROINumber) + ", so that it is open which contours are its; left out.");
+        TagName(DCM_StructureSetROISequence) + " (\"" + this->TextOfName(*item).Text +
+        "\") has no " + TagName(DCM_ROINumber) +
+        ", so that it is open which contours are its; left out.");
       continue;
     }
     roi.Name = this->NameFrom(*item, roi.Number);
@@ -355,8 +366,8 @@ void StructureSetFile::Internals::AddContour(
   const std::string type = GetText(item, DCM_ContourGeometricType);
   if (!IsKnown(type))
   {
-    report.push_back(where + ": its geometric type '" + type +
-      "' is none that DICOM knows; it was taken for a closed contour.");
+    report.push_back(where + ": its geometric type " + Quoted(type) +
+      " is none that DICOM knows; it was taken for a closed contour.");
   }
   LoopSoup& soup = contours.File.Soup;
   const Shape shape = ShapeOf(type);

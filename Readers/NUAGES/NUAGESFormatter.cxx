@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "NUAGES/NUAGESFormatter.h"
 
+#include "Base/BoundingBox.h"
+#include "Base/Text.h"
 #include "Common/TextFile.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace recon
 {
@@ -19,33 +20,6 @@ struct Loop
   double Z = 0;
   int Number = 0; ///< among the input's chains
 };
-
-/// A point for messages, short; the file gets AppendNumber's full precision.
-std::string Shown(const Point3& p)
-{
-  char text[96];
-  std::snprintf(text, sizeof(text), "(%g, %g, %g)", p[0], p[1], p[2]);
-  return text;
-}
-
-double Diagonal(const LoopSoup& soup)
-{
-  if (soup.Points.empty())
-  {
-    return 0;
-  }
-  Point3 low = soup.Points.front();
-  Point3 high = low;
-  for (const Point3& p : soup.Points)
-  {
-    for (int i = 0; i < 3; ++i)
-    {
-      low[i] = std::min(low[i], p[i]);
-      high[i] = std::max(high[i], p[i]);
-    }
-  }
-  return Norm(high - low);
-}
 
 Loop CheckedLoop(const LoopSoup& soup, int number, double tolerance)
 {
@@ -70,7 +44,7 @@ Loop CheckedLoop(const LoopSoup& soup, int number, double tolerance)
     if (std::abs(p[2] - loop.Z) > tolerance)
     {
       throw Error(name + "its plane is not perpendicular to z (it runs through " +
-        Shown(soup.Points[loop.Points.front()]) + " and " + Shown(p) +
+        Text(soup.Points[loop.Points.front()]) + " and " + Text(p) +
         "); rotate the contours with the Transform filter first.");
     }
   }
@@ -93,7 +67,7 @@ public:
   Formatter(const LoopSoup& soup, Monitor& monitor)
     : Soup(soup),
       Progress(monitor),
-      Tolerance(PlaneTolerance * Diagonal(soup))
+      Tolerance(PlaneTolerance * Box3::Around(soup.Points).Diagonal())
   {
   }
 

@@ -2,7 +2,6 @@
 #include "Readers/DICOM/ReferenceBuilder.h"
 #include "Readers/ReaderTesting.h"
 
-#include "DICOM/DrawnSlices.h"
 #include "DICOM/ReadReferenceSlices.h"
 
 using namespace readertesting;
@@ -116,26 +115,24 @@ TEST_F(ReadReferenceSlices, OfAnotherFrameAreRefused)
     "in the frame of reference 1.2.3.9 and 1.2.3.10, and the contours were drawn in 1.2.3.11");
 }
 
-TEST(DrawnSlices, LargestContourTellsThePlane)
+TEST_F(ReadReferenceSlices, AreTheImagesByHeight)
 {
-  StructureSetBuilder builder;
-  FillReference(builder, { 0, 1 }, 2);
-  // A small one, tilted by rounding, of another ROI on image 1.
-  builder.AddROI(2, "Small");
-  DcmItem& contour =
-    builder.AddContour("CLOSED_PLANAR", "0\\0\\3\\1\\0\\3.1\\1\\1\\3.2\\0\\1\\3.1", 4);
-  DcmItem* image = nullptr;
-  contour.findOrCreateSequenceItem(DCM_ContourImageSequence, image, -2);
-  StructureSetBuilder::Put(*image, DCM_ReferencedSOPInstanceUID, ImageUID(1));
-  builder.AddContour("CLOSED_PLANAR", "1\\2\\nan", 1); // refers to no image
-  recon::Monitor monitor;
-  recon::DrawnSlices drawn = recon::ReadDrawnSlices(builder.Data(), "1.2.3.9", monitor);
-  EXPECT_EQ(drawn.Malformed, 0);
-  ASSERT_EQ(drawn.SlicesOfFrame.size(), 1u);
-  const std::vector<recon::ReferenceSlice>& slices = drawn.SlicesOfFrame["1.2.3.9"];
-  ASSERT_EQ(slices.size(), 2u);
-  EXPECT_EQ(slices[1].Normal, (recon::Vector3{ 0, 0, 1 }));
-  EXPECT_DOUBLE_EQ(slices[1].Offset, 3);
-  EXPECT_EQ(recon::ListedImages(builder.Data(), "1.2.3.9").size(), 2u);
-  EXPECT_TRUE(recon::ListedImages(builder.Data(), "1.2").empty());
+  std::filesystem::create_directory(this->Name("images"));
+  for (const int slice : { 2, 0, 1 })
+  {
+    SaveImage(this->Name("images/" + std::to_string(9 - slice)), slice);
+  }
+  const std::vector<recon::ReferenceSlice> slices =
+    recon::ReadReferenceSlices(this->Name("images"), "", this->Monitor).Slices;
+  ASSERT_EQ(slices.size(), 3u);
+  for (int i = 0; i < 3; ++i)
+  {
+    EXPECT_EQ(slices[i].InstanceUID, ImageUID(i));
+    EXPECT_EQ(slices[i].Normal, (recon::Vector3{ 0, 0, 1 }));
+    const double z = SliceSpacing * i;
+    // 4 rows of 2 mm, 6 columns of 0.5 mm; the first pixel's centre is at -100, -100.
+    EXPECT_EQ(slices[i].Outline,
+      (std::array<recon::Point3, 4>{
+        { { -100.25, -101, z }, { -97.25, -101, z }, { -97.25, -93, z }, { -100.25, -93, z } } }));
+  }
 }

@@ -2,10 +2,7 @@
 #include "Readers/DICOM/ReferenceBuilder.h"
 #include "Readers/ReaderTesting.h"
 
-#include "DICOM/DecimalString.h"
 #include "DICOM/DICOMItem.h"
-#include "DICOM/DICOMText.h"
-#include "DICOM/ReadReferenceSlices.h"
 #include "DICOM/StructureSetFormatter.h"
 
 #include <cmath>
@@ -80,52 +77,12 @@ protected:
   DcmFileFormat File;
 };
 
-std::string Decimal(double value)
-{
-  std::string text;
-  recon::AppendDecimalString(text, value);
-  return text;
-}
-
 std::vector<int> Range(int count)
 {
   std::vector<int> numbers(static_cast<std::size_t>(count));
   std::iota(numbers.begin(), numbers.end(), 0);
   return numbers;
 }
-}
-
-TEST(DecimalString, IsShortAndWithinHalfAMicrometreOfAMillimetre)
-{
-  EXPECT_EQ(Decimal(0), "0");
-  EXPECT_EQ(Decimal(-0.0), "0");
-  EXPECT_EQ(Decimal(-1e-9), "0");
-  EXPECT_EQ(Decimal(100), "100");
-  EXPECT_EQ(Decimal(-122.44), "-122.44");
-  EXPECT_EQ(Decimal(0.1 + 0.2), "0.3");
-  EXPECT_EQ(Decimal(1.0 / 3), "0.333333");
-  EXPECT_EQ(Decimal(-recon::LargestCoordinate + 1e-6), "-99999998.999999");
-  std::mt19937 random(1);
-  std::uniform_real_distribution<double> exponent(-7, 7.99);
-  for (int i = 0; i < 10000; ++i)
-  {
-    const double value = std::pow(10, exponent(random)) * (i % 2 ? 1 : -1);
-    const std::string text = Decimal(value);
-    EXPECT_LE(text.size(), 16u) << text;
-    EXPECT_NEAR(std::stod(text), value, 5.1e-7) << text;
-  }
-}
-
-TEST(DICOMText, KeepsWhatIsAllowed)
-{
-  EXPECT_EQ(recon::DICOMText(" Lt Lung ", 64), "Lt Lung");
-  EXPECT_EQ(recon::DICOMText("a\\b\nc", 64), "a_b_c");
-  EXPECT_EQ(recon::DICOMText("M\xc3\xbcller", 3), "M\xc3\xbcl"); // characters, not bytes
-  EXPECT_EQ(recon::DICOMText("M\xfcller", 64), "M_ller");
-  EXPECT_EQ(recon::DICOMText("\xe2\x82", 64), "__"); // cut off
-  EXPECT_EQ(recon::DICOMText(std::string(70, 'x'), 64), std::string(64, 'x'));
-  EXPECT_EQ(recon::CodeString("ptv-1"), "PTV_1");
-  EXPECT_EQ(recon::CodeString("a very long type of ROI"), "A VERY LONG TYPE");
 }
 
 TEST_F(StructureSetFormatter, IsReadBackAsItWas)
@@ -416,28 +373,6 @@ TEST_F(StructureSetFormatter, ImagesMayBeTheReference)
   SaveImage(this->Name("images/other"), 7, "1.2.3.77");
   this->Write({ this->Stack({ 21 }) });
   EXPECT_EQ(this->ImagesOfLast(this->Load()), std::vector<std::string>{ "" });
-}
-
-TEST_F(StructureSetFormatter, ReferenceSlicesAreTheImagesByHeight)
-{
-  std::filesystem::create_directory(this->Name("images"));
-  for (const int slice : { 2, 0, 1 })
-  {
-    SaveImage(this->Name("images/" + std::to_string(9 - slice)), slice);
-  }
-  const std::vector<recon::ReferenceSlice> slices =
-    recon::ReadReferenceSlices(this->Name("images"), "", this->Monitor).Slices;
-  ASSERT_EQ(slices.size(), 3u);
-  for (int i = 0; i < 3; ++i)
-  {
-    EXPECT_EQ(slices[i].InstanceUID, ImageUID(i));
-    EXPECT_EQ(slices[i].Normal, (recon::Vector3{ 0, 0, 1 }));
-    const double z = SliceSpacing * i;
-    // 4 rows of 2 mm, 6 columns of 0.5 mm; the first pixel's centre is at -100, -100.
-    EXPECT_EQ(slices[i].Outline,
-      (std::array<recon::Point3, 4>{
-        { { -100.25, -101, z }, { -97.25, -101, z }, { -97.25, -93, z }, { -100.25, -93, z } } }));
-  }
 }
 
 TEST_F(StructureSetFormatter, OnlyImagesOfOneFrameOfReferenceAreReferredTo)

@@ -28,7 +28,7 @@ std::string Example()
 std::string Temporary()
 {
   const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-  return ::testing::TempDir() + "TestBRepFile" + test->name() + ".brep";
+  return ::testing::TempDir() + "TestBRepParser" + test->name() + ".brep";
 }
 
 BRep ReadText(const std::string& text)
@@ -128,7 +128,7 @@ void ExpectSame(const BRep& a, const BRep& b)
 }
 }
 
-TEST(BRepFile, TheExampleOfTheAppendixIsRead)
+TEST(BRepParser, TheExampleOfTheAppendixIsRead)
 {
   Monitor monitor;
   EXPECT_TRUE(IsBRep(Example()));
@@ -149,7 +149,7 @@ TEST(BRepFile, TheExampleOfTheAppendixIsRead)
   EXPECT_EQ(tube.Contours[1], (std::vector<int>{ 43, 36, 27, 23, 13, 59, 54 }));
 }
 
-TEST(BRepFile, PartnersWorkedOutFromTheTrianglesAreThePrintedOnes)
+TEST(BRepParser, PartnersWorkedOutFromTheTrianglesAreThePrintedOnes)
 {
   Monitor monitor;
   const BRep printed = ReadBRep(Example(), monitor);
@@ -172,7 +172,7 @@ TEST(BRepFile, PartnersWorkedOutFromTheTrianglesAreThePrintedOnes)
   EXPECT_EQ(unnamed.ShellSets[0].Shells[1].Contours.size(), 2u);
 }
 
-TEST(BRepFile, TheExampleIsWrittenBackEqual)
+TEST(BRepParser, TheExampleIsWrittenBackEqual)
 {
   Monitor monitor;
   const BRep brep = ReadBRep(Example(), monitor);
@@ -190,7 +190,7 @@ TEST(BRepFile, TheExampleIsWrittenBackEqual)
   }
 }
 
-TEST(BRepFile, EveryDoubleComesBackToTheLastBit)
+TEST(BRepParser, EveryDoubleComesBackToTheLastBit)
 {
   Monitor monitor;
   BRep brep = ReadText(Tetrahedron);
@@ -222,7 +222,7 @@ TEST(BRepFile, EveryDoubleComesBackToTheLastBit)
   ExpectSame(ReadBRep(Temporary(), monitor), brep);
 }
 
-TEST(BRepFile, AllFormsOfNumbersAreRead)
+TEST(BRepParser, AllFormsOfNumbersAreRead)
 {
   const std::vector<std::pair<std::string, double>> forms{ { "7", 7 }, { "+7", 7 }, { "-7", -7 },
     { "007", 7 }, { "7.", 7 }, { "7.25", 7.25 }, { ".25", 0.25 }, { "+.25", 0.25 },
@@ -235,7 +235,7 @@ TEST(BRepFile, AllFormsOfNumbersAreRead)
   }
 }
 
-TEST(BRepFile, CommentsAndBlanksMayBeAnywhere)
+TEST(BRepParser, CommentsAndBlanksMayBeAnywhere)
 {
   const BRep plain = ReadText(Tetrahedron);
   std::string commented = "# before all ( )\r\n\t\n#\n";
@@ -253,7 +253,7 @@ TEST(BRepFile, CommentsAndBlanksMayBeAnywhere)
   ExpectSame(ReadText(WithFirstNumber("+00")), plain);
 }
 
-TEST(BRepFile, OtherFormatsAreTold)
+TEST(BRepParser, OtherFormatsAreTold)
 {
   for (const char* text :
     { "", "solid x\n", "NUM_SHELL_SETSS 1", "# NUM_SHELL_SETS 1\n", "S 2\nv" })
@@ -267,7 +267,7 @@ TEST(BRepFile, OtherFormatsAreTold)
   EXPECT_FALSE(IsBRep(::testing::TempDir()));
 }
 
-TEST(BRepFileInvalid, EveryMutationOfTheExampleIsASentence)
+TEST(BRepParserInvalid, EveryMutationOfTheExampleIsASentence)
 {
   // Take out, double, replace or cut off at every token; and make every number of the topology
   // wrong.
@@ -325,7 +325,7 @@ TEST(BRepFileInvalid, EveryMutationOfTheExampleIsASentence)
   EXPECT_GT(mutated, 100);
 }
 
-TEST(BRepFileInvalid, NoByteCrashesIt)
+TEST(BRepParserInvalid, NoByteCrashesIt)
 {
   // What a wrong byte does is open: a digit of a coordinate may become another. It must not crash.
   const std::string text = ReadTextFile(Example());
@@ -346,7 +346,7 @@ TEST(BRepFileInvalid, NoByteCrashesIt)
   EXPECT_GT(refused, 500);
 }
 
-TEST(BRepFileInvalid, SentencesNameLineAndToken)
+TEST(BRepParserInvalid, SentencesNameLineAndToken)
 {
   const auto expectIn = [](const std::string& text, const std::vector<std::string>& parts)
   {
@@ -371,7 +371,7 @@ TEST(BRepFileInvalid, SentencesNameLineAndToken)
   expectIn(std::string("NUM_SHELL_SETS \0 1", 18), { "line 1", "binary" });
 }
 
-TEST(BRepFileInvalid, NothingIsWrittenThatCannotBeReadBack)
+TEST(BRepParserInvalid, NothingIsWrittenThatCannotBeReadBack)
 {
   Monitor monitor;
   const auto failureOf = [&](const BRep& brep, const std::string& fileName)

@@ -2,7 +2,6 @@
 #include "Readers/ReaderTesting.h"
 
 #include "CurveNetwork/CurveNetworkParser.h"
-#include "CurveNetwork/PlaneCheck.h"
 
 #include <algorithm>
 #include <map>
@@ -13,7 +12,7 @@ using namespace readertesting;
 
 namespace
 {
-class CurveNetworkFile : public Folder
+class CurveNetworkParser : public Folder
 {
 protected:
   recon::CurveNetwork Read(const std::string& bytes)
@@ -76,7 +75,7 @@ class RealCurveNetwork : public testing::TestWithParam<Expected>
 };
 }
 
-TEST_F(CurveNetworkFile, CSLWithHoleBeforeItsParent)
+TEST_F(CurveNetworkParser, CSLWithHoleBeforeItsParent)
 {
   const recon::CurveNetwork network =
     this->Read("CSLC\n 1 9\n\n 5 7 2 0 0 1 -2\n\n"
@@ -92,7 +91,7 @@ TEST_F(CurveNetworkFile, CSLWithHoleBeforeItsParent)
   EXPECT_TRUE(network.Report.empty());
 }
 
-TEST_F(CurveNetworkFile, CSLBlockAMaterialAndWrongPlanes)
+TEST_F(CurveNetworkParser, CSLBlockAMaterialAndWrongPlanes)
 {
   const recon::CurveNetwork network =
     this->Read("CSLC\r\n3 1\r\n1 3 1 0 0 1 -1\r\n0 0 1\r\n1 0 1\r\n0 1 1\r\n3 2 0 1 2\r\n"
@@ -111,7 +110,7 @@ TEST_F(CurveNetworkFile, CSLBlockAMaterialAndWrongPlanes)
     "Plane 3: A, B, C, D do not fit its vertices; the vertices were taken as they are.");
 }
 
-TEST_F(CurveNetworkFile, NeighbouringMaterialsHaveTheirCommonBoundaryEach)
+TEST_F(CurveNetworkParser, NeighbouringMaterialsHaveTheirCommonBoundaryEach)
 {
   const recon::CurveNetwork network = this->Read(TwoSquares);
   ASSERT_EQ(network.Materials.size(), 2u);
@@ -124,7 +123,7 @@ TEST_F(CurveNetworkFile, NeighbouringMaterialsHaveTheirCommonBoundaryEach)
   EXPECT_TRUE(network.Report.empty());
 }
 
-TEST_F(CurveNetworkFile, SwappedSidesAreSwappedBack)
+TEST_F(CurveNetworkParser, SwappedSidesAreSwappedBack)
 {
   std::string bytes = TwoSquares;
   bytes.resize(bytes.find("0 1 1 0"));
@@ -138,7 +137,7 @@ TEST_F(CurveNetworkFile, SwappedSidesAreSwappedBack)
   }
 }
 
-TEST_F(CurveNetworkFile, SidesAreThoseSeenFromTheTipOfTheNormal)
+TEST_F(CurveNetworkParser, SidesAreThoseSeenFromTheTipOfTheNormal)
 {
   // The same square with the normal downwards: left of a counterclockwise edge is outside now.
   const recon::CurveNetwork network = this->Read(
@@ -147,7 +146,7 @@ TEST_F(CurveNetworkFile, SidesAreThoseSeenFromTheTipOfTheNormal)
   EXPECT_EQ(TwiceAreas(network.Materials.at(0)), (std::vector<double>{ -2 }));
 }
 
-TEST_F(CurveNetworkFile, HolesAndMaterialsInsideOneAnother)
+TEST_F(CurveNetworkParser, HolesAndMaterialsInsideOneAnother)
 {
   // A ring of material 1 from 0 to 4, with a square of material 2 from 1 to 2 in it.
   const recon::CurveNetwork network =
@@ -158,7 +157,7 @@ TEST_F(CurveNetworkFile, HolesAndMaterialsInsideOneAnother)
   EXPECT_EQ(TwiceAreas(network.Materials[1]), (std::vector<double>{ 2 }));
 }
 
-TEST_F(CurveNetworkFile, WalksKeepToOneCornerWhereFourEdgesMeet)
+TEST_F(CurveNetworkParser, WalksKeepToOneCornerWhereFourEdgesMeet)
 {
   // Two squares of one material that touch in a vertex.
   const recon::CurveNetwork network =
@@ -168,7 +167,7 @@ TEST_F(CurveNetworkFile, WalksKeepToOneCornerWhereFourEdgesMeet)
   EXPECT_EQ(TwiceAreas(network.Materials[0]), (std::vector<double>{ 2, 2 }));
 }
 
-TEST_F(CurveNetworkFile, OpenBoundariesAndUselessEdgesAreReported)
+TEST_F(CurveNetworkParser, OpenBoundariesAndUselessEdgesAreReported)
 {
   const recon::CurveNetwork network = this->Read("1\n0 0 1 0\n4 5\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n"
                                                  "0 1 1 0\n1 2 1 0\n2 3 1 0\n2 2 1 0\n1 3 1 1\n");
@@ -182,7 +181,7 @@ TEST_F(CurveNetworkFile, OpenBoundariesAndUselessEdgesAreReported)
   EXPECT_NE(network.Report[2].find("is not closed, it ends at vertex 3"), std::string::npos);
 }
 
-TEST_F(CurveNetworkFile, IsToldByContent)
+TEST_F(CurveNetworkParser, IsToldByContent)
 {
   using recon::CurveNetworkFormat;
   const auto formatOf = [this](const std::string& bytes)
@@ -196,17 +195,6 @@ TEST_F(CurveNetworkFile, IsToldByContent)
   EXPECT_EQ(formatOf(""), CurveNetworkFormat::None);
   EXPECT_EQ(formatOf(RandomBytes(2000, 4)), CurveNetworkFormat::None);
   EXPECT_EQ(recon::CurveNetworkFormatOf(this->Name("absent")), CurveNetworkFormat::None);
-}
-
-TEST(PlaneCheck, TellsSignOffsetAndNormalApart)
-{
-  const std::vector<recon::Point3> vertices{ { 0, 0, 5 }, { 9, 0, 5 }, { 0, 9, 5 } };
-  EXPECT_EQ(recon::CheckPlane({ 0, 0, 3 }, -15, vertices), recon::PlaneFit::Fits);
-  EXPECT_EQ(recon::CheckPlane({ 0, 0, 3 }, 15, vertices), recon::PlaneFit::WrongSign);
-  EXPECT_EQ(recon::CheckPlane({ 0, 0, 3 }, 14, vertices), recon::PlaneFit::WrongOffset);
-  EXPECT_EQ(recon::CheckPlane({ 0, 1, 3 }, -15, vertices), recon::PlaneFit::WrongNormal);
-  EXPECT_EQ(recon::CheckPlane({ 0, 0, 0 }, 0, vertices), recon::PlaneFit::WrongNormal);
-  EXPECT_EQ(recon::NormalOf(vertices, { 0, 1, -3 }), (recon::Vector3{ 0, 0, -1 }));
 }
 
 TEST_P(RealCurveNetwork, HasTheCountsOfItsTable)

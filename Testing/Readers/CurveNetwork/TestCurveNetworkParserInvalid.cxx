@@ -11,7 +11,7 @@ const std::string CSL = "CSLC\n1 2\n\n1 7 2 0 0 1 -2\n\n0 0 2\n4 0 2\n4 4 2\n0 4
                         "2 1 2\n\n4 1 0 1 2 3\n3h0 1 4 5 6\n";
 const std::string Contour = "1\n0 0 1 0\n3 3\n0 0 0\n1 0 0\n1 1 0\n0 1 1 0\n1 2 1 0\n2 0 1 0\n";
 
-class CurveNetworkFileInvalid : public Folder
+class CurveNetworkParserInvalid : public Folder
 {
 protected:
   std::string Sentence(const std::string& bytes)
@@ -34,7 +34,7 @@ protected:
 };
 }
 
-TEST_F(CurveNetworkFileInvalid, TruncatedAnywhere)
+TEST_F(CurveNetworkParserInvalid, TruncatedAnywhere)
 {
   for (const std::string& whole : { CSL, Contour })
   {
@@ -47,7 +47,7 @@ TEST_F(CurveNetworkFileInvalid, TruncatedAnywhere)
   }
 }
 
-TEST_F(CurveNetworkFileInvalid, EmptyAbsentBinaryOrAnotherFormat)
+TEST_F(CurveNetworkParserInvalid, EmptyAbsentBinaryOrAnotherFormat)
 {
   this->Expect("", "the file is empty");
   this->Expect("solid name\n", "expected a cross-section set that begins with 'CSLC'");
@@ -63,7 +63,7 @@ TEST_F(CurveNetworkFileInvalid, EmptyAbsentBinaryOrAnotherFormat)
   }
 }
 
-TEST_F(CurveNetworkFileInvalid, CSLNamesLineAndWhatWasExpected)
+TEST_F(CurveNetworkParserInvalid, CSLNamesLineAndWhatWasExpected)
 {
   this->Expect(With(CSL, "1 7 2 0 0 1", "1 7 2 0 0 up"),
     "line 4: expected A, B and C of the plane, found 'up'");
@@ -79,7 +79,7 @@ TEST_F(CurveNetworkFileInvalid, CSLNamesLineAndWhatWasExpected)
   this->Expect(CSL + "2 0 0 0 0 1 0\n", "line 16: expected the end of the file after 1 planes");
 }
 
-TEST_F(CurveNetworkFileInvalid, ContourNamesLineAndWhatWasExpected)
+TEST_F(CurveNetworkParserInvalid, ContourNamesLineAndWhatWasExpected)
 {
   this->Expect(
     With(Contour, "1 1 0\n", "1 inf 0\n"), "line 6: expected x, y and z of a vertex, found 'inf'");
@@ -91,7 +91,7 @@ TEST_F(CurveNetworkFileInvalid, ContourNamesLineAndWhatWasExpected)
   this->Expect(Contour + "7\n", "line 10: expected the end of the file after 1 planes, found '7'");
 }
 
-TEST_F(CurveNetworkFileInvalid, HugeCountsAreRefusedBeforeAnythingIsAllocated)
+TEST_F(CurveNetworkParserInvalid, HugeCountsAreRefusedBeforeAnythingIsAllocated)
 {
   const char* const part = "more than the rest of the file can hold";
   this->Expect(With(CSL, "1 2\n", "2000000000 2\n"), part);
@@ -103,7 +103,7 @@ TEST_F(CurveNetworkFileInvalid, HugeCountsAreRefusedBeforeAnythingIsAllocated)
   this->Expect(With(Contour, "3 3\n", "3 2000000000\n"), part);
 }
 
-TEST_F(CurveNetworkFileInvalid, Mutated)
+TEST_F(CurveNetworkParserInvalid, Mutated)
 {
   std::mt19937 random(11);
   for (int i = 0; i < 500; ++i)

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Readers/ReaderTesting.h"
 
-#include "NUAGES/NUAGESFormatter.h"
 #include "NUAGES/NUAGESParser.h"
 
 #include <cmath>
@@ -13,7 +12,7 @@ namespace
 {
 const std::string Whole = "S 2\nv 4 z 0\n{\n0 0\n4 0\n4 4\n0 4\n}\nv 3 z 1\n{\n1 1\n2 1\n2 2\n}\n";
 
-class NUAGESFileInvalid : public Folder
+class NUAGESParserInvalid : public Folder
 {
 protected:
   std::string Sentence(const std::string& bytes)
@@ -26,15 +25,11 @@ protected:
     const std::string sentence = this->Sentence(bytes);
     ExpectSentence(sentence, this->Name("bad file.cnt"), part);
   }
-  std::string WriteSentence(const recon::LoopSoup& soup)
-  {
-    return SentenceOf([&] { recon::WriteNUAGES(this->Name("out.cnt"), soup, this->Monitor); });
-  }
   recon::Monitor Monitor;
 };
 }
 
-TEST_F(NUAGESFileInvalid, TruncatedAnywhere)
+TEST_F(NUAGESParserInvalid, TruncatedAnywhere)
 {
   // The last line break may go; with anything else the file is not whole.
   for (std::size_t size = 0; size + 1 < Whole.size(); ++size)
@@ -45,7 +40,7 @@ TEST_F(NUAGESFileInvalid, TruncatedAnywhere)
   EXPECT_TRUE(this->Sentence(Whole).empty());
 }
 
-TEST_F(NUAGESFileInvalid, EmptyAbsentOrAFolder)
+TEST_F(NUAGESParserInvalid, EmptyAbsentOrAFolder)
 {
   this->Expect("", "the file is empty");
   this->Expect(" \n\n", "the file is empty");
@@ -56,7 +51,7 @@ TEST_F(NUAGESFileInvalid, EmptyAbsentOrAFolder)
   }
 }
 
-TEST_F(NUAGESFileInvalid, NamesLineAndWhatWasExpected)
+TEST_F(NUAGESParserInvalid, NamesLineAndWhatWasExpected)
 {
   this->Expect("T 2\n", "line 1: expected 'S' and the number of sections");
   this->Expect("S two\n", "line 1: expected the number of sections, found 'two'");
@@ -75,7 +70,7 @@ TEST_F(NUAGESFileInvalid, NamesLineAndWhatWasExpected)
     "line 8: expected the end of the file after 1 sections, found 'v'");
 }
 
-TEST_F(NUAGESFileInvalid, NumbersThatAreNone)
+TEST_F(NUAGESParserInvalid, NumbersThatAreNone)
 {
   for (const char* number : { "nan", "inf", "-inf", "1e999", "0x10", "1.2.3", "--1", "+-1", "1e" })
   {
@@ -86,14 +81,14 @@ TEST_F(NUAGESFileInvalid, NumbersThatAreNone)
   }
 }
 
-TEST_F(NUAGESFileInvalid, HugeCountsAreRefusedBeforeAnythingIsAllocated)
+TEST_F(NUAGESParserInvalid, HugeCountsAreRefusedBeforeAnythingIsAllocated)
 {
   this->Expect("S 2000000000\nv 3 z 0\n", "more than the rest of the file can hold");
   this->Expect("S 99999999999999999999\n", "expected the number of sections");
   this->Expect("S 1\nv 2000000000 z 0\n{\n0 0\n}\n", "more than the rest of the file can hold");
 }
 
-TEST_F(NUAGESFileInvalid, BinaryOrMutated)
+TEST_F(NUAGESParserInvalid, BinaryOrMutated)
 {
   for (unsigned int seed = 0; seed < 10; ++seed)
   {
@@ -110,7 +105,7 @@ TEST_F(NUAGESFileInvalid, BinaryOrMutated)
   }
 }
 
-TEST_F(NUAGESFileInvalid, AbortEndsTheReading)
+TEST_F(NUAGESParserInvalid, AbortEndsTheReading)
 {
   class Impatient : public recon::Monitor
   {
@@ -119,24 +114,4 @@ TEST_F(NUAGESFileInvalid, AbortEndsTheReading)
   Impatient monitor;
   const std::string fileName = this->Write("a.cnt", Whole);
   EXPECT_THROW(recon::ReadNUAGES(fileName, monitor), recon::Aborted);
-}
-
-TEST_F(NUAGESFileInvalid, WhatCannotBeWritten)
-{
-  recon::LoopSoup soup;
-  soup.Points = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0.5 } };
-  soup.Chains.push_back({ { 0, 1, 2 }, true, 0 });
-  EXPECT_NE(this->WriteSentence(soup).find("not perpendicular to z"), std::string::npos);
-  soup.Points[2][2] = 0;
-  soup.Points[1][0] = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_NE(this->WriteSentence(soup).find("no finite number"), std::string::npos);
-  soup.Points[1][0] = 1;
-  soup.Chains[0].Closed = false;
-  EXPECT_NE(this->WriteSentence(soup).find("it is open"), std::string::npos);
-  EXPECT_FALSE(std::filesystem::exists(this->Name("out.cnt")));
-  soup.Chains[0].Closed = true;
-  const std::string folder = this->Name("no such folder/out.cnt");
-  ExpectSentence(
-    SentenceOf([&] { recon::WriteNUAGES(folder, soup, this->Monitor); }), folder, "Cannot write");
-  EXPECT_TRUE(this->WriteSentence(soup).empty());
 }

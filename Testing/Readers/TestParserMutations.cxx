@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Files of others with bytes, numbers and pieces exchanged: whatever comes of it, a parser ends in a
+// sentence or in contours that hold together.
+#include "Readers/ReaderTesting.h"
+
+#include "BRep/BRepParser.h"
+#include "CurveNetwork/CurveNetworkParser.h"
+#include "DICOM/DICOMText.h"
+#include "DICOM/StructureSetFile.h"
+#include "NUAGES/NUAGESParser.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+using namespace readertesting;
+
+namespace
+{
+/// Changes a file a little, as accidents and other programs do.
+class Mutator
+{
+public:
+  explicit Mutator(unsigned int seed) : Random(seed) {}
+
+  std::string Mutated(std::string bytes)
+  {
+    for (std::size_t i = 0; i <= this->Below(3); ++i)
+    {
+      this->Mutate(bytes);
+    }
+    return bytes;
+  }
+
+private:
+  std::size_t Below(std::size_t end) { return end == 0 ? 0 : this->Random() % end; }
+
+  void Mutate(std::string& bytes)
+  {
+    static const std::vector<std::string> pieces{ "\\", "nan", "-", "1e999", "\x1b$B", "\xff\xff",
+      std::string(4, '\0'), "\n", " ", "99999999999", "\xfe\xff\x00\xe0", "{", "h0", "#" };
+    const std::size_t at = this->Below(bytes.size());
+    const std::size_t length = 1 + this->Below(64);
+    switch (this->Below(6))
+    {
+      case 0:
+        bytes[at] = static_cast<char>(this->Random() & 0xff);
+        break;
+      case 1:
+        bytes.erase(at, length);
+        break;
+      case 2:
+        bytes.insert(at, bytes.substr(this->Below(bytes.size()), length));
+        break;
+      case 3:
+        bytes.replace(at, length, bytes.substr(this->Below(bytes.size()), length));
+        break;
+      case 4:
+        bytes.insert(at, pieces[this->Below(pieces.size())]);
+        break;
+      default:
+        bytes.resize(at + 1);
+    }
+    bytes += bytes.empty() ? "x" : "";
+  }
+
+  std::mt19937 Random;
+};
+
+class ParserMutations : public Folder
+{
+protected:
+  /// Reads so many mutations of a file; how many ended in a sentence.
+  template <typename Parser>
+  int Try(const std::string& fileName, int count, Parser parse)
+  {
+    const std::string whole = Bytes(fileName);
+    int sentences = 0;
+    for (int i = 0; i < count; ++i)
+    {
+      SCOPED_TRACE(fileName + ", seed " + std::to_string(i));
+      const std::string mutated =
+        this->Write("mutated", Mutator(static_cast<unsigned int>(i)).Mutated(whole));
+      const std::string sentence = SentenceOf([&] { parse(mutated); });
+      if (!sentence.empty())
+      {
+        ExpectSentence(sentence, mutated, "Cannot read");
+        ++sentences;
+      }
+    }
+    return sentences;
+  }
+  recon::Monitor Monitor;
+};
+
+void ExpectLines(const std::vector<std::string>& report)
+{
+  for (const std::string& line : report)
+  {
+    ASSERT_FALSE(line.empty());
+    EXPECT_EQ(line.back(), '.') << line;
+    EXPECT_EQ(line.find('\n'), std::string::npos) << line;
+    EXPECT_TRUE(recon::IsUTF8(line)) << line;
+  }
+}
+
+void ExpectSound(const recon::LoopSoup& soup)
+{
+  for (const recon::Point3& p : soup.Points)
+  {
+    EXPECT_TRUE(std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]));
+  }
+  const int count = static_cast<int>(soup.Points.size());
+  for (const recon::LoopSoup::Chain& chain : soup.Chains)
+  {
+    EXPECT_TRUE(std::all_of(chain.Points.begin(), chain.Points.end(),
+      [count](int point) { return point >= 0 && point < count; }));
+  }
+}
+
+void ExpectSound(recon::StructureSetFile& file, recon::Monitor& monitor)
+{
+  ExpectLines(file.GetReport());
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < file.GetROIs().size(); ++i)
+  {
+    const std::string& name = file.GetROIs()[i].Name;
+    EXPECT_TRUE(recon::IsUTF8(name)) << name;
+    EXPECT_TRUE(names.insert(name).second) << name;
+    const recon::StructureSetContours contours = file.ReadContours(static_cast<int>(i), monitor);
+    ExpectLines(contours.File.Report);
+    ExpectSound(contours.File.Soup);
+    EXPECT_EQ(contours.GeometricTypes.size(), contours.File.Soup.Chains.size());
+  }
+}
+
+std::vector<std::string> FilesIn(const std::string& folder, const std::string& extension)
+{
+  std::vector<std::string> files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+  {
+    if (entry.path().extension() == extension)
+    {
+      files.push_back(entry.path().string());
+    }
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+const std::string Own = std::string(CONTOUR_SOURCE_DIR) + "/Data";
+}
+
+TEST_F(ParserMutations, StructureSets)
+{
+  const std::string folder = Shared("faults/rt");
+  CONTOUR_SKIP_UNLESS(folder);
+  int sentences = 0;
+  int tried = 0;
+  for (const std::string& fileName : FilesIn(folder, ".dcm"))
+  {
+    constexpr int each = 60;
+    tried += each;
+    sentences += this->Try(fileName, each,
+      [this](const std::string& mutated)
+      {
+        recon::StructureSetFile::IsStructureSet(mutated);
+        recon::StructureSetFile file(mutated);
+        ExpectSound(file, this->Monitor);
+      });
+  }
+  EXPECT_GT(sentences, 0);
+  EXPECT_LT(sentences, tried);
+}
+
+TEST_F(ParserMutations, NUAGES)
+{
+  std::vector<std::string> files = FilesIn(Own, ".cnt");
+  const std::string folder = Shared("faults/other");
+  if (!folder.empty())
+  {
+    const std::vector<std::string> more = FilesIn(folder, ".cnt");
+    files.insert(files.end(), more.begin(), more.end());
+  }
+  ASSERT_FALSE(files.empty());
+  for (const std::string& fileName : files)
+  {
+    this->Try(fileName, 40,
+      [this](const std::string& mutated)
+      {
+        recon::IsNUAGES(mutated);
+        const recon::ContourFile file = recon::ReadNUAGES(mutated, this->Monitor);
+        ExpectLines(file.Report);
+        ExpectSound(file.Soup);
+      });
+  }
+}
+
+TEST_F(ParserMutations, CurveNetworks)
+{
+  const std::string cross =
+    "CSLC\n2 2\n\n1 4 1 0 0 1 -2\n\n0 0 2\n4 0 2\n4 4 2\n0 4 2\n\n4 1 0 1 2 3\n"
+    "2 7 2 0 0 1 -3\n0 0 3\n4 0 3\n4 4 3\n0 4 3\n1 1 3\n1 2 3\n2 1 3\n"
+    "4 1 0 1 2 3\n3h0 2 4 5 6\n";
+  const std::string network = "1\n0 0 2 6\n6 7\n0 0 3\n1 0 3\n2 0 3\n2 1 3\n1 1 3\n0 1 3\n"
+                              "0 1 1 0\n1 2 2 0\n2 3 2 0\n3 4 2 0\n4 5 1 0\n5 0 1 0\n1 4 1 2\n";
+  for (const std::string& text : { cross, network })
+  {
+    const std::string fileName = this->Folder::Write("whole", text);
+    const int sentences = this->Try(fileName, 500,
+      [this](const std::string& mutated)
+      {
+        for (const recon::MaterialContours& material :
+          recon::ReadCurveNetwork(mutated, this->Monitor).Materials)
+        {
+          ExpectSound(material.Soup);
+          EXPECT_EQ(material.Planes.size(), material.Soup.Chains.size());
+        }
+      });
+    EXPECT_GT(sentences, 0);
+    EXPECT_LT(sentences, 500);
+  }
+}
+
+TEST_F(ParserMutations, BReps)
+{
+  const int sentences = this->Try(Own + "/example.brep", 500,
+    [this](const std::string& mutated)
+    {
+      recon::IsBRep(mutated);
+      recon::ReadBRep(mutated, this->Monitor);
+    });
+  EXPECT_GT(sentences, 0);
+  EXPECT_LT(sentences, 500);
+}
