@@ -119,6 +119,7 @@ void ToPolyData(const ImplicitMesh& mesh, vtkPolyData* output)
   output->GetPointData()->SetNormals(MakeArray("Normals", mesh.Normals));
   AddValue(output->GetFieldData(), "CellSize", mesh.CellSize);
   AddValue(output->GetFieldData(), "SmallestAngle", mesh.SmallestAngle);
+  AddValue(output->GetFieldData(), "FarContourPoints", static_cast<double>(mesh.FarContourPoints));
 }
 
 std::vector<Point3> PointsOf(vtkPolyData* data)

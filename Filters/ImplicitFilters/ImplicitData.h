@@ -35,7 +35,7 @@ void ToPolyData(const ImplicitFunction& function, vtkPolyData* output);
 /// The same way back, also from a file. @throws Error where something is missing or damaged.
 [[nodiscard]] ImplicitFunction ToFunction(vtkPolyData* model);
 
-/// Triangles with point `Normals`; field data `CellSize`, `SmallestAngle`.
+/// Triangles with point `Normals`; field data `CellSize`, `SmallestAngle`, `FarContourPoints`.
 void ToPolyData(const ImplicitMesh& mesh, vtkPolyData* output);
 
 /// Points and the numbers of a point array. @throws Error where it is missing.

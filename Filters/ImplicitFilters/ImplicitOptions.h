@@ -25,6 +25,8 @@ ConstraintOptions ConstraintOptionsOf(Filter* filter)
   options.ReachAcrossSteps = filter->GetReachAcrossSteps();
   options.MergeBox = filter->GetMergeBox();
   options.ThinOut = filter->GetThinOut();
+  options.FillLongEdges = filter->GetFillLongEdges();
+  options.FollowDrawnPlanes = filter->GetFollowDrawnPlanes();
   options.ResampleSpacing = filter->GetResampleSpacing();
   options.ResampleTolerance = filter->GetResampleTolerance();
   return options;

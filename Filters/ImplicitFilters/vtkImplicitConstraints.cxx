@@ -66,6 +66,8 @@ void vtkImplicitConstraints::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ReachAcrossSteps: " << this->ReachAcrossSteps << "\n";
   os << indent << "MergeBox: " << this->MergeBox << "\n";
   os << indent << "ThinOut: " << this->ThinOut << "\n";
+  os << indent << "FillLongEdges: " << this->FillLongEdges << "\n";
+  os << indent << "FollowDrawnPlanes: " << this->FollowDrawnPlanes << "\n";
   os << indent << "ResampleSpacing: " << this->ResampleSpacing << "\n";
   os << indent << "ResampleTolerance: " << this->ResampleTolerance << "\n";
   os << indent << "Threads: " << this->Threads << "\n";

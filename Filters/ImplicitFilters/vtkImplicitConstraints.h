@@ -117,6 +117,28 @@ public:
 
   ///@{
   /**
+   * Put points on straight contour edges longer than twice the gap between the contours, on by
+   * default: the function knows a contour at its points alone. Without effect where ResampleSpacing
+   * or ResampleTolerance is given.
+   */
+  vtkSetMacro(FillLongEdges, bool);
+  vtkGetMacro(FillLongEdges, bool);
+  vtkBooleanMacro(FillLongEdges, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Add constraints where the function is on another side than what was drawn, on by default: on
+   * drawn planes, also where they are empty, and between two that say the same. For parallel planes
+   * and values that are distances. Report tells how many, and where the surface still differs.
+   */
+  vtkSetMacro(FollowDrawnPlanes, bool);
+  vtkGetMacro(FollowDrawnPlanes, bool);
+  vtkBooleanMacro(FollowDrawnPlanes, bool);
+  ///@}
+
+  ///@{
+  /**
    * Resample contours to about this distance between points first, in the units of the input; 0: do
    * not.
    */
@@ -159,6 +181,8 @@ private:
   bool ReachAcrossSteps = false;
   double MergeBox = 0.0;
   bool ThinOut = true;
+  bool FillLongEdges = true;
+  bool FollowDrawnPlanes = true;
   double ResampleSpacing = 0.0;
   double ResampleTolerance = 0.0;
   int Threads = 0;

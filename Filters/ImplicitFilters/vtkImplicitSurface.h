@@ -138,6 +138,20 @@ public:
   ///@}
 
   ///@{
+  /// Points on long straight edges, on by default; as vtkImplicitConstraints.
+  vtkBooleanMacro(FillLongEdges, bool);
+  vtkGetMacro(FillLongEdges, bool);
+  vtkSetMacro(FillLongEdges, bool);
+  ///@}
+
+  ///@{
+  /// Constraints where a fit contradicts the drawn planes, on by default; as vtkImplicitConstraints.
+  vtkBooleanMacro(FollowDrawnPlanes, bool);
+  vtkGetMacro(FollowDrawnPlanes, bool);
+  vtkSetMacro(FollowDrawnPlanes, bool);
+  ///@}
+
+  ///@{
   /**
    * Resample contours to about this distance between points first, in the units of the input; 0: do
    * not.
@@ -319,6 +333,8 @@ private:
   bool ThinOut = true;
   double ResampleSpacing = 0.0;
   double ResampleTolerance = 0.0;
+  bool FillLongEdges = true;
+  bool FollowDrawnPlanes = true;
   int Kernel = Triharmonic;
   double SupportRadius = 0.0;
   int Solver = Automatic;

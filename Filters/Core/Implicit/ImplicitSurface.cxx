@@ -141,6 +141,8 @@ ImplicitSurface BuildPreview(const ContourSet& contours, const ImplicitSurfaceOp
   ImplicitSurfaceOptions quick = options;
   quick.Constraints.Normals = ConstraintOptions::InPlane;
   quick.Constraints.ThinOut = false;
+  quick.Constraints.FillLongEdges = false;
+  quick.Constraints.FollowDrawnPlanes = false;
   quick.Constraints.ResampleSpacing = 0;
   quick.Constraints.ResampleTolerance = 0;
   quick.Function.CentreReduction = 0;

@@ -19,6 +19,13 @@
 
 namespace recon
 {
+/// A plane on which nothing was drawn, though others of the same stack were: it is empty.
+struct EmptyPlane
+{
+  Vector3 Normal{ 0, 0, 1 }; ///< unit
+  double Offset = 0;         ///< along Normal
+};
+
 struct ConstraintOptions
 {
   enum ModeType
@@ -59,6 +66,14 @@ struct ConstraintOptions
   /// > 0: contour points are first left out where the contour moves by less than this (units of the
   /// input).
   double ResampleTolerance = 0;
+  /// Put points on straight edges longer than twice the gap between the contours (ContourResampling.h):
+  /// constraints stand at points alone. Not where one of the two above is given.
+  bool FillLongEdges = true;
+  /// Where all planes are parallel and values are distances: add constraints where the function is
+  /// on another side than what was drawn (DrawnSections.h), until it is not, as far as that goes.
+  bool FollowDrawnPlanes = true;
+  /// Further planes on which nothing was drawn, though it was looked at: for FollowDrawnPlanes.
+  std::vector<EmptyPlane> EmptyPlanes;
 };
 
 struct ConstraintSet

@@ -2,8 +2,10 @@
 #include "Implicit/Constraints/ContourFit.h"
 
 #include "Base/SubMonitor.h"
+#include "Base/Text.h"
 #include "Implicit/Constraints/ContourResampling.h"
 #include "Implicit/Constraints/ContourTips.h"
+#include "Implicit/Constraints/DrawnPlanesFit.h"
 #include "Implicit/Constraints/LeftOutSlices.h"
 #include "Implicit/Constraints/MarginFit.h"
 
@@ -19,6 +21,9 @@ namespace
 constexpr double LeastSpacingPerGap = 0.25;
 constexpr double SpacingGrowth = 1.25;
 constexpr std::size_t EnoughPoints = 3000;
+/// Edges longer than so many gaps get points: what lies next to their middle is nearer to other
+/// planes than to their ends.
+constexpr double LongEdgePerGap = 2;
 
 ConstraintOptions DistanceOptions(const ConstraintOptions& options)
 {
@@ -176,11 +181,9 @@ private:
 };
 
 /// Points as dense as the gap is worth; with many points less dense, for a fit in seconds, but not
-/// beyond the gap.
-ContourSet ThinOutByGap(const ContourSet& contours)
+/// beyond the gap: spacing becomes what was taken.
+ContourSet ThinOutByGap(const ContourSet& contours, double gap, double& spacing)
 {
-  const double gap = TypicalGap(contours);
-  double spacing = LeastSpacingPerGap * gap;
   ContourSet thin = ThinOut(contours, spacing);
   while (thin.Points.size() > EnoughPoints && spacing < gap)
   {
@@ -190,12 +193,29 @@ ContourSet ThinOutByGap(const ContourSet& contours)
   return thin;
 }
 
+/// Points on edges that are long beside the gap, which the function knows only at their ends
+/// otherwise.
+ContourSet WithFilledEdges(const ContourSet& contours, double gap, double spacing)
+{
+  FilledEdges filled = FillLongEdges(contours, LongEdgePerGap * gap, spacing, EnoughPoints);
+  if (filled.Points > 0)
+  {
+    filled.Contours.Report.push_back(std::to_string(filled.Points) + " points were put on " +
+      std::to_string(filled.Edges) + " contour edges longer than " + Text(LongEdgePerGap * gap) +
+      ", twice the gap between the contours.");
+  }
+  return filled.Contours;
+}
+
 /// The points that options ask for, or where they ask for nothing, no more than the gap is worth.
 ContourSet Resampled(const ContourSet& contours, const ConstraintOptions& options)
 {
   if (options.ResampleTolerance <= 0 && options.ResampleSpacing <= 0)
   {
-    return options.ThinOut ? ThinOutByGap(contours) : contours;
+    const double gap = TypicalGap(contours);
+    double spacing = LeastSpacingPerGap * gap;
+    const ContourSet few = options.ThinOut ? ThinOutByGap(contours, gap, spacing) : contours;
+    return options.FillLongEdges ? WithFilledEdges(few, gap, spacing) : few;
   }
   ContourSet resampled = contours;
   if (options.ResampleTolerance > 0)
@@ -220,7 +240,11 @@ ContourFit FitContours(const ContourSet& contours, const ConstraintOptions& cons
   fit.Contours = PrepareContours(contours, constraintOptions);
   SubMonitor placing(monitor, 0, 0.1);
   fit.Constraints = BuildInPlaneConstraints(fit.Contours, constraintOptions, placing);
-  SubMonitor fitting(monitor, 0.1, 1);
+  // What preparing them had to say; the rest is the caller's.
+  const std::vector<std::string>& said = fit.Contours.Report;
+  const auto from = static_cast<std::ptrdiff_t>(std::min(said.size(), contours.Report.size()));
+  fit.Constraints.Report.insert(fit.Constraints.Report.begin(), said.begin() + from, said.end());
+  SubMonitor fitting(monitor, 0.1, 0.7);
   if (constraintOptions.Normals == ConstraintOptions::Refined &&
     constraintOptions.Mode == ConstraintOptions::Margins)
   {
@@ -230,6 +254,15 @@ ContourFit FitContours(const ContourSet& contours, const ConstraintOptions& cons
   {
     fit.Function =
       FitImplicitFunction(fit.Constraints.Points, fit.Constraints.Values, functionOptions, fitting);
+  }
+  const bool canFollow = constraintOptions.FollowDrawnPlanes &&
+    constraintOptions.Values == ConstraintOptions::Distance &&
+    constraintOptions.Mode == ConstraintOptions::Margins &&
+    functionOptions.Kind == Kernel::Triharmonic && AllLevelsParallel(contours);
+  if (canFollow)
+  {
+    SubMonitor following(monitor, 0.7, 1);
+    FollowDrawnPlanes(contours, constraintOptions, functionOptions, fit, following);
   }
   return fit;
 }

@@ -33,6 +33,22 @@ ContourSet ResampleToTolerance(const ContourSet& contours, double tolerance);
  */
 ContourSet ThinOut(const ContourSet& contours, double spacing);
 
+/// What FillLongEdges did.
+struct FilledEdges
+{
+  ContourSet Contours;
+  std::size_t Edges = 0;  ///< so many got points
+  std::size_t Points = 0; ///< so many
+};
+
+/**
+ * Puts points, evenly and at most `spacing` apart, on edges longer than `longest` that were drawn
+ * straight: much longer than most, or between two corners. At most `mostPoints` of them, by a larger
+ * spacing.
+ */
+FilledEdges FillLongEdges(
+  const ContourSet& contours, double longest, double spacing, std::size_t mostPoints);
+
 constexpr double ThinOutTolerance = 0.05;
 constexpr double ClosestPart = 0.05;
 

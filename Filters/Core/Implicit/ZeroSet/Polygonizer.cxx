@@ -122,8 +122,16 @@ bool IsWithin(const Point3& p, const Bounds& box)
   return true;
 }
 
-/// Points within the bounds that the function's surface passes by, but no triangle within a cell.
-std::vector<Point3> PointsMissed(const BoundedField& field, const TriangleMesh& mesh,
+/// What of the contours no triangle is within a cell of.
+struct FarPoints
+{
+  /// The function's surface passes by these, so that smaller cells would find it.
+  std::vector<Point3> Missed;
+  std::size_t Others = 0; ///< that the function itself passes elsewhere
+};
+
+/// Points within the bounds that are more than a cell away from the mesh.
+FarPoints FindFarPoints(const BoundedField& field, const TriangleMesh& mesh,
   const std::vector<Point3>& points, double cellSize, int threads, Monitor& monitor)
 {
   const TriangleTree tree(mesh);
@@ -147,15 +155,16 @@ std::vector<Point3> PointsMissed(const BoundedField& field, const TriangleMesh& 
   std::vector<double> values;
   std::vector<Vector3> gradients;
   field.Evaluate(far, values, gradients);
-  std::vector<Point3> missed;
+  FarPoints found;
   for (std::size_t i = 0; i < far.size(); ++i)
   {
     if (std::abs(values[i]) < PassedBy * cellSize * Norm(gradients[i]))
     {
-      missed.push_back(far[i]);
+      found.Missed.push_back(far[i]);
     }
   }
-  return missed;
+  found.Others = far.size() - found.Missed.size();
+  return found;
 }
 
 /// Is a point on a wall, or at a gap, that smaller cells can find? The way to the other
@@ -202,29 +211,37 @@ void TrackAndFind(const BoundedField& field, const std::vector<Point3>& seeds,
   all.insert(all.end(), options.Witnesses.begin(), options.Witnesses.end());
   SubMonitor tracking(monitor, 0, 0.3);
   result.Mesh = Track(field, seeds, result.CellSize, options, tracking);
-  std::vector<Point3> missed =
-    PointsMissed(field, result.Mesh, all, result.CellSize, options.Threads, monitor);
+  FarPoints far = FindFarPoints(field, result.Mesh, all, result.CellSize, options.Threads, monitor);
   const double finer = FinerCells * result.CellSize;
   const double finerTriangles =
     static_cast<double>(result.Mesh.Triangles.size()) / (FinerCells * FinerCells);
-  if (!missed.empty() && options.CellSize == 0 && finerTriangles < options.MaximumCells &&
-    AnyWorthFinding(field, missed, result.CellSize))
+  if (!far.Missed.empty() && options.CellSize == 0 && finerTriangles < options.MaximumCells &&
+    AnyWorthFinding(field, far.Missed, result.CellSize))
   {
     SubMonitor again(monitor, 0.3, 0.6);
     TriangleMesh mesh = Track(field, seeds, finer, options, again);
-    std::vector<Point3> stillMissed =
-      PointsMissed(field, mesh, all, finer, options.Threads, monitor);
-    if (static_cast<double>(stillMissed.size()) <=
-      WorthTheirPrice * static_cast<double>(missed.size()))
+    FarPoints stillFar = FindFarPoints(field, mesh, all, finer, options.Threads, monitor);
+    if (static_cast<double>(stillFar.Missed.size()) <=
+      WorthTheirPrice * static_cast<double>(far.Missed.size()))
     {
       result.Mesh = std::move(mesh);
       result.CellSize = finer;
-      missed = std::move(stillMissed);
+      far = std::move(stillFar);
     }
   }
-  if (!missed.empty())
+  result.FarContourPoints = far.Missed.size() + far.Others;
+  if (far.Others > 0)
   {
-    result.Report.push_back(std::to_string(missed.size()) +
+    result.Report.push_back(std::to_string(far.Others) + " of " + std::to_string(all.size()) +
+      " points of contours and middles of their edges are more than a cell of " +
+      Text(result.CellSize) +
+      " away from the surface, because its constraints stand too far apart for what is drawn "
+      "there: "
+      "set ResampleSpacing to less than the thinnest wall or gap.");
+  }
+  if (!far.Missed.empty())
+  {
+    result.Report.push_back(std::to_string(far.Missed.size()) +
       " points of contours are more than a cell of " + Text(result.CellSize) +
       " away from the surface, as the shape, or a gap in it, is thinner than that there: choose a "
       "smaller CellSize.");

@@ -59,6 +59,8 @@ struct ImplicitMesh
     Normals;                ///< at the points, out of the solid, unit: the function's own gradient
   double CellSize = 0;      ///< the one that was used
   double SmallestAngle = 0; ///< of all triangles, degrees
+  /// Seeds and Witnesses within the bounds that are more than a cell away from the surface.
+  std::size_t FarContourPoints = 0;
   std::vector<std::string> Report;
 };
 

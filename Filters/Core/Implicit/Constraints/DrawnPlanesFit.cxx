@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Implicit/Constraints/DrawnPlanesFit.h"
+
+#include "Base/SubMonitor.h"
+#include "Base/Text.h"
+#include "Implicit/Constraints/DrawnSections.h"
+#include "Implicit/Constraints/NearConstraints.h"
+#include "Implicit/ZeroSet/Polygonizer.h"
+
+namespace recon
+{
+namespace
+{
+class DrawnPlanesFit
+{
+public:
+  DrawnPlanesFit(const ContourSet& drawn, const ConstraintOptions& constraintOptions,
+    const FunctionOptions& functionOptions, ContourFit& fit)
+    : Result(fit),
+      Function(functionOptions),
+      Sections(drawn, constraintOptions.EmptyPlanes, ChooseCellSize(PlacesOf(drawn), 0)),
+      MostPlaces(drawn.Points.size() + LeastPlaces)
+  {
+  }
+
+  void Run(Monitor& monitor)
+  {
+    ConstraintSet asked = this->Result.Constraints;
+    std::size_t added = 0;
+    DrawnSections::Disagreements wrong = this->Compare(monitor);
+    const std::size_t before = wrong.Sections.size();
+    for (int round = 0; round < MostRounds && !wrong.Places.empty(); ++round)
+    {
+      if (added + wrong.Places.size() > this->MostPlaces)
+      {
+        break;
+      }
+      for (const ToldPlace& place : wrong.Places)
+      {
+        asked.Points.push_back(place.Place);
+        asked.Values.push_back(place.Value);
+        asked.Kind.push_back(place.Value > 0 ? ConstraintSet::Inner
+            : place.Value < 0                ? ConstraintSet::Outer
+                                             : ConstraintSet::Boundary);
+        asked.Contour.push_back(-1);
+      }
+      added += wrong.Places.size();
+      SubMonitor fitting(monitor, static_cast<double>(round) / MostRounds,
+        static_cast<double>(round + 1) / MostRounds);
+      this->Fit(asked, fitting);
+      wrong = this->Compare(fitting);
+    }
+    this->Say(added, before, wrong);
+  }
+
+private:
+  static constexpr int MostRounds = 6;
+  static constexpr std::size_t LeastPlaces = 500;
+  static constexpr std::size_t MostNamed = 3;
+
+  static std::vector<Point3> PlacesOf(const ContourSet& contours)
+  {
+    std::vector<Point3> places;
+    for (const Contour& contour : contours.Contours)
+    {
+      for (const int p : contour.Points)
+      {
+        places.push_back(contours.Points[p]);
+      }
+    }
+    return places;
+  }
+
+  DrawnSections::Disagreements Compare(Monitor& monitor) const
+  {
+    return this->Sections.Compare(this->Result.Function, this->Function.Threads, monitor);
+  }
+
+  void Fit(const ConstraintSet& asked, Monitor& monitor)
+  {
+    ConstraintSet set = asked;
+    set.Report.clear();
+    ResolveNearConstraints(set);
+    this->Result.Function = FitImplicitFunction(set.Points, set.Values, this->Function, monitor);
+    set.Report = this->Result.Constraints.Report;
+    this->Result.Constraints = std::move(set);
+  }
+
+  void Say(std::size_t added, std::size_t before, const DrawnSections::Disagreements& wrong)
+  {
+    std::vector<std::string>& report = this->Result.Constraints.Report;
+    if (added > 0)
+    {
+      report.push_back(std::to_string(added) +
+        " constraints were added, because the function was on another side "
+        "than what was drawn on or between planes, at " +
+        std::to_string(before) + " heights.");
+    }
+    if (!wrong.Sections.empty())
+    {
+      std::vector<std::string> names;
+      for (const int section : wrong.Sections)
+      {
+        names.push_back(this->Sections.NameOf(section));
+      }
+      report.push_back("The surface still differs from what was drawn at " +
+        Listed(names, MostNamed) +
+        " along the stack: choose a smaller CellSize to see how, or draw "
+        "what lies between.");
+    }
+  }
+
+  ContourFit& Result;
+  const FunctionOptions& Function;
+  const DrawnSections Sections;
+  const std::size_t MostPlaces;
+};
+}
+
+void FollowDrawnPlanes(const ContourSet& drawn, const ConstraintOptions& constraintOptions,
+  const FunctionOptions& functionOptions, ContourFit& fit, Monitor& monitor)
+{
+  DrawnPlanesFit(drawn, constraintOptions, functionOptions, fit).Run(monitor);
+}
+}
