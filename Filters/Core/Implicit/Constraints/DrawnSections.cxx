@@ -365,8 +365,10 @@ Point3 DrawnSections::NearestDrawn(int section, const Point3& p) const
   double least = std::numeric_limits<double>::infinity();
   for (const PlanarEdges::Edge& edge : this->EdgesOf[s.Edges].Edges())
   {
-    const Point3 a{ edge.A[0], edge.A[1], 0 };
-    const Vector3 along = Point3{ edge.B[0], edge.B[1], 0 } - a;
+    const Point2& from = this->Drawn.Planar[edge.From];
+    const Point2& to = this->Drawn.Planar[edge.To];
+    const Point3 a{ from[0], from[1], 0 };
+    const Vector3 along = Point3{ to[0], to[1], 0 } - a;
     const double t = std::clamp(Dot(flat - a, along) / Dot(along, along), 0.0, 1.0);
     const Point3 q = a + t * along;
     const double distance = Norm(q - flat);
