@@ -207,21 +207,35 @@ private:
     }
   }
 
-  /// That of the last decimal of every loop's coordinates, as they were given.
+  /// Of every loop, that of the last decimal of its coordinates as they were given. One that all
+  /// its points share is that of the plane, which may have decimals of its own.
   std::vector<double> UnitsOf(const PlanarRings& rings) const
   {
     std::vector<double> units;
     for (int r : rings.Rings)
     {
       std::vector<double> numbers;
-      for (int p : this->Rings[Index(r)].Points)
+      for (std::size_t k = 0; k < 3; ++k)
       {
-        const Point3& x = this->Soup.Points[Index(p)];
-        numbers.insert(numbers.end(), x.begin(), x.end());
+        const std::vector<double> column = this->CoordinatesOf(this->Rings[Index(r)], k);
+        if (std::any_of(column.begin(), column.end(), [&](double x) { return x != column[0]; }))
+        {
+          numbers.insert(numbers.end(), column.begin(), column.end());
+        }
       }
       units.push_back(UnitOf(numbers));
     }
     return units;
+  }
+
+  std::vector<double> CoordinatesOf(const Ring& ring, std::size_t axis) const
+  {
+    std::vector<double> coordinates;
+    for (int p : ring.Points)
+    {
+      coordinates.push_back(this->Soup.Points[Index(p)][axis]);
+    }
+    return coordinates;
   }
 
   void FindLargestCoordinate()

@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <limits>
 #include <map>
+#include <tuple>
 #include <utility>
 
 namespace recon
@@ -28,12 +29,18 @@ constexpr double LittleBesideLoop = 1e-3;
 // As above where there are no decimals to go by.
 constexpr double NothingBesideLoop = 1e-5;
 // A loop of hardly more than the unit has no shape that could be recognised.
-constexpr double SmallestInRoundings = 4;
+constexpr double SmallestInRoundings = 2.5;
 
-// Of the smaller area. Traced by hand twice, 1 to 3 percent are usual.
-constexpr double NearlySame = 0.1;
-// Of the diagonal.
-constexpr double FarthestApart = 0.05;
+/// How much two outlines of one shape may differ.
+struct Likeness
+{
+  double Area;     ///< in one of them only, of the smaller area
+  double Distance; ///< the farthest that a point of one is from the other, of the diagonal
+};
+// Traced by hand twice: 1 to 3 percent of the diameter are usual.
+constexpr Likeness TracedTwice{ 0.1, 0.05 };
+// With points left out, chords cut off what was between.
+constexpr Likeness WithFewerPoints{ 0.3, 0.15 };
 // Of its length, a loop traced again has at least this much on either side of the first.
 constexpr double OnEitherSide = 0.1;
 // Of its points, a loop with points left out has at least this many on the first.
@@ -106,12 +113,17 @@ public:
   }
 
 private:
-  std::pair<double, int> Fineness(int loop) const { return { this->Units[Index(loop)], loop }; }
+  /// Smaller for finer decimals, then for more points, then for the first.
+  std::tuple<double, std::ptrdiff_t, int> Fineness(int loop) const
+  {
+    const auto points = static_cast<std::ptrdiff_t>(this->Loops[Index(loop)].size());
+    return { this->Units[Index(loop)], -points, loop };
+  }
 
   double ReachOf(int loop) const
   {
     return std::max(
-      FarthestApart * this->Boxes[Index(loop)].Diagonal(), 2 * this->Units[Index(loop)]);
+      WithFewerPoints.Distance * this->Boxes[Index(loop)].Diagonal(), 2 * this->Units[Index(loop)]);
   }
 
   /// Pairs with boxes whose corners are no farther apart than twins' can be.
@@ -147,15 +159,23 @@ private:
       std::max(this->Boxes[Index(twin.Loop)].Diagonal(), this->Boxes[Index(twin.Of)].Diagonal());
     const double rounding = this->RoundingOf(twin, diagonal);
     const bool hasShape = diagonal >= SmallestInRoundings * rounding;
-    const double reach =
-      std::max(hasShape ? rounding : 0, this->TracedAgain ? FarthestApart * diagonal : 0);
+    const double reach = std::max(
+      hasShape ? rounding : 0, this->TracedAgain ? WithFewerPoints.Distance * diagonal : 0);
     twin.Apart = std::max(
       this->FarthestOf(twin.Loop, twin.Of, reach), this->FarthestOf(twin.Of, twin.Loop, reach));
     twin.WithinRounding = hasShape && twin.Apart <= rounding && this->HaveOneArea(twin, rounding);
     return twin.WithinRounding ||
-      (this->TracedAgain && twin.Apart <= reach && this->AreNearlySame(twin) &&
-        (this->RunsOnBothSides(twin.Loop, twin.Of) || this->LiesOn(twin.Loop, twin.Of, rounding) ||
-          this->LiesOn(twin.Of, twin.Loop, rounding)));
+      (this->TracedAgain && twin.Apart <= reach && this->IsTracedAgain(twin, diagonal, rounding));
+  }
+
+  bool IsTracedAgain(const LoopTwin& twin, double diagonal, double rounding)
+  {
+    const double difference = this->DifferenceOf(twin);
+    const auto alike = [&](const Likeness& most)
+    { return difference <= most.Area && twin.Apart <= most.Distance * diagonal; };
+    return (alike(TracedTwice) && this->RunsOnBothSides(twin.Loop, twin.Of)) ||
+      (alike(WithFewerPoints) &&
+        (this->LiesOn(twin.Loop, twin.Of, rounding) || this->LiesOn(twin.Of, twin.Loop, rounding)));
   }
 
   /// How far apart rounding alone can have put points of the two.
@@ -200,14 +220,15 @@ private:
       apart * std::max(this->LengthOf(twin.Loop), this->LengthOf(twin.Of));
   }
 
-  bool AreNearlySame(const LoopTwin& twin) const
+  /// The area that is in one of them only, in parts of the smaller one.
+  double DifferenceOf(const LoopTwin& twin) const
   {
     PlanarRegions regions;
     this->AddSegments(twin.Loop, PlanarRegions::Below, regions);
     this->AddSegments(twin.Of, PlanarRegions::Contour, regions);
     const PlanarDifference difference = MeasurePlanarDifference(regions);
-    return difference.SymmetricDifference <=
-      NearlySame * std::min(difference.SurfaceArea, difference.ContourArea);
+    const double smaller = std::min(difference.SurfaceArea, difference.ContourArea);
+    return smaller > 0 ? difference.SymmetricDifference / smaller : HUGE_VAL;
   }
 
   void AddSegments(int loop, PlanarRegions::LayerType layer, PlanarRegions& regions) const

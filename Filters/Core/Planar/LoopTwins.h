@@ -26,13 +26,13 @@ struct LoopTwin
  * what was meant is the area itself.
  *
  * Within rounding: both have the same points within what their decimals can tell apart, or within
- * 1e-5 of their size. Traced again: they are nearly the same area (NearlySame), and what is a wall
- * and its hole is ruled out, as each runs on both sides of the other, or has its points on it.
+ * 1e-5 of their size. Traced again: they are nearly the same area, and what is a wall and its hole
+ * is ruled out, as one runs on both sides of the other, or has nearly all its points on it.
  *
  * @param units a loop: that of its last decimal, or 0 where its coordinates are as fine as they go
  * @param tracedAgain whether to look for such, too
- * @returns those to be left out, in the order of their numbers: of two, the finer one stays, or
- * else the first
+ * @returns those to be left out, in the order of their numbers: of two, the one of finer decimals
+ * stays, or else of more points, or else the first
  */
 std::vector<LoopTwin> FindLoopTwins(const std::vector<Point2>& points,
   const std::vector<std::vector<int>>& loops, const std::vector<double>& units, bool tracedAgain);

@@ -65,6 +65,15 @@ TEST(LoopTwins, OtherDecimals)
   }
 }
 
+TEST(LoopTwins, ThePlaneHasDecimalsOfItsOwn)
+{
+  const std::vector<Point2> fine = Rounded(Circle(0, 0, 10, 12), 1e-6);
+  const ContourSet set =
+    SoupMaker().Loop(fine, -17.4375).Loop(Rounded(fine, 0.1), -17.4375).Build();
+  EXPECT_EQ(set.Contours.size(), 1u);
+  EXPECT_TRUE(Reports(set, "within rounding"));
+}
+
 TEST(LoopTwins, DecimalsThatWereCut)
 {
   std::vector<Point2> cut = Circle(3, 4, 10, 40);
@@ -102,6 +111,7 @@ TEST(LoopTwins, OtherStartOtherWayRoundPointsDropped)
     }
   }
   ExpectFirstIsLeft(again, fewer, " traced again");
+  ExpectFirstIsLeft(fewer, again, " traced again", true);
 }
 
 TEST(LoopTwins, TracedAgain)
