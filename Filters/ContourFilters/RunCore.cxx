@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "RunCore.h"
 
+#include "Base/Geometry.h"
 #include "Base/Monitor.h"
 #include "ContourConversion.h"
 
@@ -8,6 +9,8 @@
 #include "vtkCellData.h"
 #include "vtkDataObject.h"
 #include "vtkFieldData.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
 
@@ -25,26 +28,49 @@ void Clear(Outputs outputs)
   }
 }
 
-/// Whether the data are vertices of `GeometricType` POINT and nothing else: a marker, an isocentre.
-/// Vertices of other origin stay an error of whoever wants contours.
-bool IsPointsOfRegion(vtkPolyData* input)
+bool EndsMeet(vtkPolyData* input, vtkIdType cell)
+{
+  vtkNew<vtkIdList> ids;
+  input->GetCellPoints(cell, ids);
+  const vtkIdType count = ids->GetNumberOfIds();
+  if (count < 4)
+  {
+    return false;
+  }
+  Point3 first{};
+  Point3 last{};
+  input->GetPoint(ids->GetId(0), first.data());
+  input->GetPoint(ids->GetId(count - 1), last.data());
+  return first == last;
+}
+
+/**
+ * What a region of a structure set is, of which nothing can be made: "points only, without a
+ * contour" (a marker, an isocentre) or "open contours only" (a channel, a wire); empty otherwise.
+ * Vertices and open lines of other origin stay an error of whoever wants contours, and a line that
+ * ends where it begins is closed, whatever its type.
+ */
+std::string NothingOf(vtkPolyData* input)
 {
   auto* types =
     vtkStringArray::SafeDownCast(input->GetCellData()->GetAbstractArray("GeometricType"));
   const vtkIdType cells = input->GetNumberOfCells();
-  if (!types || cells == 0 || cells != input->GetNumberOfVerts() ||
-    types->GetNumberOfValues() != cells)
+  if (!types || cells == 0 || types->GetNumberOfValues() != cells)
   {
-    return false;
+    return {};
   }
+  bool pointsOnly = true;
   for (vtkIdType i = 0; i < cells; ++i)
   {
-    if (types->GetValue(i) != "POINT")
+    const std::string type = types->GetValue(i);
+    const bool isOpen = type == "OPEN_PLANAR" || type == "OPEN_NONPLANAR";
+    if ((type != "POINT" && !isOpen) || (isOpen && EndsMeet(input, i)))
     {
-      return false;
+      return {};
     }
+    pointsOnly = pointsOnly && !isOpen;
   }
-  return true;
+  return pointsOnly ? "points only, without a contour" : "open contours only";
 }
 
 std::string RegionOf(vtkDataObject* input)
@@ -78,10 +104,10 @@ bool PassNothing(vtkAlgorithm* filter, vtkDataObject* input, Outputs outputs)
     SayIn(outputs, data, "The input is empty, so the output is empty.");
     return true;
   }
-  if (IsPointsOfRegion(data))
+  const std::string nothing = NothingOf(data);
+  if (!nothing.empty())
   {
-    const std::string sentence =
-      RegionOf(data) + " is points only, without a contour: nothing is made of it.";
+    const std::string sentence = RegionOf(data) + " is " + nothing + ": nothing is made of it.";
     SayIn(outputs, data, sentence);
     vtkWarningWithObjectMacro(filter, << sentence);
     return true;

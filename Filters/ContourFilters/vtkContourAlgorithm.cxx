@@ -9,6 +9,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
+#include <sstream>
 #include <vector>
 
 vtkStandardNewMacro(vtkContourAlgorithm);
@@ -17,6 +18,27 @@ namespace
 {
 /// More lines than this do not help in a panel; all are in the field data.
 constexpr std::size_t MostLines = 100;
+
+/// The panel's box does not wrap, and is about as wide.
+constexpr std::size_t PanelWidth = 40;
+
+/// An item of the list, over as many lines as it takes.
+std::string Wrapped(const std::string& line)
+{
+  std::string text;
+  std::string row = "-";
+  std::istringstream words(line);
+  for (std::string word; words >> word;)
+  {
+    if (row.size() + 1 + word.size() > PanelWidth && row.size() > 1)
+    {
+      text += row + "\n";
+      row = " ";
+    }
+    row += " " + word;
+  }
+  return text + row;
+}
 
 /// Lines of the output as a whole where it has some, as those of a reader hold those of its blocks.
 std::vector<std::string> LinesOf(vtkDataObject* output)
@@ -64,12 +86,13 @@ std::string vtkContourAlgorithm::ReportOf(vtkAlgorithm* algorithm)
     lines.size() == 1 ? "One thing to know:" : std::to_string(lines.size()) + " things to know:";
   for (std::size_t i = 0; i < lines.size() && i < MostLines; ++i)
   {
-    text += "\n- " + lines[i];
+    text += "\n" + Wrapped(lines[i]);
   }
   if (lines.size() > MostLines)
   {
-    text += "\n- ... and " + std::to_string(lines.size() - MostLines) +
-      " more, in the field data array Report.";
+    text += "\n" +
+      Wrapped("... and " + std::to_string(lines.size() - MostLines) +
+        " more, in the field data array Report.");
   }
   return text;
 }
