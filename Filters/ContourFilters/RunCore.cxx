@@ -146,6 +146,14 @@ int RunOnAnything(vtkAlgorithm* filter, Outputs outputs, const std::function<voi
   {
     Clear(outputs);
   }
+  catch (const NothingLeft& reason)
+  {
+    Clear(outputs);
+    for (vtkDataObject* output : outputs)
+    {
+      SetReport({ reason.what() }, output);
+    }
+  }
   catch (const std::exception& error)
   {
     Clear(outputs);

@@ -17,6 +17,7 @@
 
 #include <functional>
 #include <initializer_list>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,14 @@ class vtkPolyData;
 
 namespace recon
 {
+/// Thrown by work that has nothing to do for this input, which is no error; what() is a line for
+/// Report.
+class NothingLeft : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
 using Outputs = std::initializer_list<vtkDataObject*>;
 
 /// What most filters need, as RunCore says it.

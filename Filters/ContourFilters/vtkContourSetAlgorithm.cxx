@@ -1,9 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkContourSetAlgorithm.h"
 
+#include "Base/Text.h"
 #include "ContourConversion.h"
+#include "RunCore.h"
+#include "SliceBlocks.h"
 
+#include "vtkDataObject.h"
+#include "vtkDemandDrivenPipeline.h"
+#include "vtkInformation.h"
 #include "vtkPolyData.h"
+
+#include <algorithm>
 
 void vtkContourSetAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
 {
@@ -22,4 +30,41 @@ recon::ContourSet vtkContourSetAlgorithm::ReadContours(
   options.SnapTolerance = this->SnapTolerance;
   options.Holes = static_cast<recon::HoleRule>(this->HoleRule);
   return recon::ReadContours(input, options, monitor);
+}
+
+recon::ContourSet vtkContourSetAlgorithm::ReadContoursOfSolid(
+  vtkPolyData* input, bool parallel, recon::Monitor& monitor)
+{
+  if (this->Slices.empty())
+  {
+    return this->ReadContours(input, parallel, monitor);
+  }
+  if (input != this->Slices.front())
+  {
+    throw recon::NothingLeft(
+      "This block is a slice of the object that the first block has become.");
+  }
+  recon::ContourSet contours =
+    this->ReadContours(recon::JoinBlocks(this->Slices), parallel, monitor);
+  contours.Report.insert(contours.Report.begin(),
+    recon::Counted(this->Slices.size(), "block") +
+      " of the collection lie in a plane each: taken as slices of one object.");
+  return contours;
+}
+
+vtkTypeBool vtkContourSetAlgorithm::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_NOT_GENERATED()))
+  {
+    vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
+    // Asked for the collection first, and then for every block.
+    const bool isSlice =
+      std::find(this->Slices.begin(), this->Slices.end(), input) != this->Slices.end();
+    if (!isSlice)
+    {
+      this->Slices = recon::FindSliceBlocks(input);
+    }
+  }
+  return this->Superclass::ProcessRequest(request, inputVector, outputVector);
 }

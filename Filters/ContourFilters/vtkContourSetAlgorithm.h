@@ -17,6 +17,8 @@
 #include "ContourFiltersModule.h" // for export macro
 #include "vtkContourAlgorithm.h"
 
+#include <vector> // for std::vector
+
 namespace recon
 {
 struct ContourSet;
@@ -91,10 +93,23 @@ protected:
    */
   recon::ContourSet ReadContours(vtkPolyData* input, bool parallel, recon::Monitor& monitor);
 
+  /**
+   * The same for filters that make a solid. The blocks of a collection that lie in a plane each are
+   * slices of one object: the first block becomes all of it, with a line in Report, the others
+   * nothing.
+   */
+  recon::ContourSet ReadContoursOfSolid(vtkPolyData* input, bool parallel, recon::Monitor& monitor);
+
+  /// Where a collection is looked at as a whole, before its blocks come one by one.
+  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
 private:
   vtkContourSetAlgorithm(const vtkContourSetAlgorithm&) = delete;
   void operator=(const vtkContourSetAlgorithm&) = delete;
 
+  /// Of the collection whose blocks come in; empty where they are regions of their own.
+  std::vector<vtkPolyData*> Slices;
   int HoleRule = Automatic;
   double PlaneTolerance = 1e-5;
   double SnapTolerance = 0;

@@ -42,7 +42,7 @@ int vtkImplicitConstraints::RequestData(
     [&]
     {
       vtkContourMonitor cleaning(this, 0.0, 0.1);
-      const recon::ContourSet contours = this->ReadContours(input, false, cleaning);
+      const recon::ContourSet contours = this->ReadContoursOfSolid(input, false, cleaning);
       vtkContourMonitor placing(this, 0.1, 1.0);
       recon::FunctionOptions fitting;
       fitting.Threads = this->Threads;

@@ -37,7 +37,7 @@ int vtkImplicitSurface::RequestData(
     [&]
     {
       vtkContourMonitor cleaning(this, 0.0, 0.05);
-      const recon::ContourSet contours = this->ReadContours(input, false, cleaning);
+      const recon::ContourSet contours = this->ReadContoursOfSolid(input, false, cleaning);
       vtkContourMonitor building(this, 0.05, 1.0);
       const recon::ImplicitSurface surface =
         recon::BuildImplicitSurface(contours, OptionsOf(this), building);

@@ -172,7 +172,7 @@ int vtkContourTriangulation::RequestData(
     [&]
     {
       vtkContourMonitor cleaning(this, 0.0, 0.2);
-      const recon::ContourSet contours = this->ReadContours(input, true, cleaning);
+      const recon::ContourSet contours = this->ReadContoursOfSolid(input, true, cleaning);
       std::vector<std::string> report = contours.Report;
       const recon::PolyhedralOptions options =
         this->GetOptions(input, contours, vtkTable::GetData(inputVector[1], 0), report);

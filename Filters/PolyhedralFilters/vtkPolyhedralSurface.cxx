@@ -87,7 +87,7 @@ int vtkPolyhedralSurface::RequestData(
     [&]
     {
       vtkContourMonitor cleaning(this, 0.0, 0.1);
-      const recon::ContourSet contours = this->ReadContours(input, true, cleaning);
+      const recon::ContourSet contours = this->ReadContoursOfSolid(input, true, cleaning);
       std::vector<std::string> report = contours.Report;
       const recon::PolyhedralOptions options =
         this->GetOptions(input, contours, vtkTable::GetData(inputVector[1], 0), report);

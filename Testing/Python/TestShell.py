@@ -146,6 +146,43 @@ for kind in (simple.ContourHierarchy, simple.ContourMapping) + POLYHEDRAL:
         ct.check(normal.GetNumberOfComponents() == 3 and normal.GetNumberOfTuples() == offset.GetNumberOfTuples() == 5,
                  f"{kind.__name__}, port {port}: {normal.GetNumberOfTuples()} normals, {offset.GetNumberOfTuples()} offsets")
 
+# A collection whose blocks are a slice each is one object; regions of their own stay regions.
+from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
+
+
+def blocks_of(names):
+    stack = vtkMultiBlockDataSet()
+    for i, z in enumerate((0, 2, 4)):
+        slice_of = ct.closed_polylines([ring(z)])
+        if names:
+            name = vtkStringArray()
+            name.SetName("ROIName")
+            name.InsertNextValue(names[i])
+            slice_of.GetFieldData().AddArray(name)
+        stack.SetBlock(i, slice_of)
+    return stack
+
+
+for kind in (simple.PolyhedralSurface, simple.ImplicitSurface):
+    node, said = run(kind, blocks_of(None))
+    sizes = [output(node).GetBlock(i).GetNumberOfCells() for i in range(3)]
+    ct.check(said == "" and sizes[0] > 0 and sizes[1:] == [0, 0], f"{kind.__name__} of slices: {sizes} {said!r}")
+    ct.check(any("3 blocks of the collection lie in a plane each" in line for line in lines(output(node).GetBlock(0))),
+             f"{kind.__name__} says that blocks are slices: {lines(output(node).GetBlock(0))}")
+    node, said = run(kind, blocks_of(["A", "B", "C"]))
+    ct.check(said.count("one plane") == 3, f"{kind.__name__} of regions with a slice each: {said!r}")
+
+# More than a tenth of the contours left out is said aloud, an empty surface is an error.
+two = ct.closed_polylines([ring(z) for z in (0, 2, 4)] + [ring(z, x=40) for z in (0,)])
+node = simple.PolyhedralSurface(Input=producer(two), IsolatedContours="Drop")
+said = ct.errors_of(node.UpdatePipeline)
+ct.check("1 of 4 contours are left out of the surface" in said and "ERR" not in said, f"a warning: {said!r}")
+ct.check(output(node).GetFieldData().GetArray("LeftOutCount").GetValue(0) == 1, "and the count is there")
+apart = ct.closed_polylines([ring(0), ring(2, x=40)])
+node = simple.PolyhedralSurface(Input=producer(apart), IsolatedContours="Drop", AlignLevels=0)
+said = ct.errors_of(node.UpdatePipeline)
+ct.check(said.count("No surface came out") == 1, f"an empty surface is an error: {said!r}")
+
 # Report as the panel shows it: of one input and of a collection, a summary first.
 for kind in FROM_CONTOURS:
     node, said = run(kind, GOOD)
