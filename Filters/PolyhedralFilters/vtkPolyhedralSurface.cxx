@@ -89,8 +89,9 @@ int vtkPolyhedralSurface::RequestData(
       vtkContourMonitor cleaning(this, 0.0, 0.1);
       const recon::ContourSet contours = this->ReadContoursOfSolid(input, true, cleaning);
       std::vector<std::string> report = contours.Report;
-      const recon::PolyhedralOptions options =
+      recon::PolyhedralOptions options =
         this->GetOptions(input, contours, vtkTable::GetData(inputVector[1], 0), report);
+      options.PinchGap = this->PinchGap;
       vtkContourMonitor building(this, 0.1, 1.0);
       const recon::PolyhedralSurface surface =
         recon::BuildPolyhedralSurface(contours, options, building);
@@ -112,4 +113,5 @@ int vtkPolyhedralSurface::RequestData(
 void vtkPolyhedralSurface::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "PinchGap: " << this->PinchGap << '\n';
 }

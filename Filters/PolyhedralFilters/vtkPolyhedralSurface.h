@@ -37,6 +37,18 @@ public:
   vtkTypeMacro(vtkPolyhedralSurface, vtkPolyhedralAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  ///@{
+  /**
+   * How far sheets that touch in a point or an edge are drawn apart, as a part of the median edge
+   * length; default 0.001. So the surface is a manifold by its coordinates, too, as formats without
+   * indices (STL) and programs that merge equal points need it. 0: such sheets have points of their
+   * own in one place. One point of each place stays, so every contour vertex is a point of the
+   * surface in any case; a point never moves through another sheet.
+   */
+  vtkSetClampMacro(PinchGap, double, 0.0, 0.1);
+  vtkGetMacro(PinchGap, double);
+  ///@}
+
 protected:
   vtkPolyhedralSurface() = default;
   ~vtkPolyhedralSurface() override = default;
@@ -47,6 +59,8 @@ protected:
 private:
   vtkPolyhedralSurface(const vtkPolyhedralSurface&) = delete;
   void operator=(const vtkPolyhedralSurface&) = delete;
+
+  double PinchGap = 1e-3;
 };
 
 #endif

@@ -45,6 +45,10 @@ public:
   template <typename Visitor>
   void VisitPairsOfLeaf(int leaf, const Visitor& visit) const;
 
+  /// Call visit(i) for every triangle whose box meets the given one.
+  template <typename Visitor>
+  void VisitMeeting(const Box3& box, const Visitor& visit) const;
+
   /// Distance from p to the nearest triangle, never more than `limit`; infinite for an empty mesh.
   double DistanceTo(const Point3& p, double limit) const;
 
@@ -67,6 +71,36 @@ private:
   int NumberOfLeaves = 0;
   int FirstLeaf = 1;
 };
+
+template <typename Visitor>
+void TriangleTree::VisitMeeting(const Box3& box, const Visitor& visit) const
+{
+  int stack[64];
+  int size = 0;
+  stack[size++] = 1;
+  while (size > 0 && this->NumberOfLeaves > 0)
+  {
+    const int n = stack[--size];
+    if (!this->Nodes[n].Meets(box))
+    {
+      continue;
+    }
+    if (n < this->FirstLeaf)
+    {
+      stack[size++] = 2 * n + 1;
+      stack[size++] = 2 * n;
+      continue;
+    }
+    const int leaf = n - this->FirstLeaf;
+    for (int i = this->FirstOfLeaf(leaf); i < this->EndOfLeaf(leaf); ++i)
+    {
+      if (this->TriangleBoxes[i].Meets(box))
+      {
+        visit(this->Order[i]);
+      }
+    }
+  }
+}
 
 template <typename Visitor>
 void TriangleTree::VisitPairsOfLeaf(int leaf, const Visitor& visit) const

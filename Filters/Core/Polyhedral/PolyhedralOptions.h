@@ -47,6 +47,9 @@ struct PolyhedralOptions
   LevelAlignmentMode AlignLevels = LevelAlignmentMode::Off; ///< of oblique shapes
   EndCapsType EndCaps = Flat;
   IsolatedContoursType IsolatedContours = Drop;
+  /// Where sheets touch in a point or an edge they are drawn apart by this part of the median edge
+  /// length; 0 = they keep points of their own in one place.
+  double PinchGap = 0;
   int Threads = 0; ///< 0 = as many as the machine has; the result does not depend on it
 };
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Polyhedral/PolyhedralSurface.h"
 
+#include "Base/Text.h"
+#include "Mesh/PinchGap.h"
 #include "Polyhedral/FaceGroups.h"
 #include "Polyhedral/PolyhedralStages.h"
 #include "Polyhedral/SolidBoundary.h"
@@ -39,6 +41,7 @@ public:
     this->CopyPoints(solid, boundary);
     this->CopyFaces(solid, boundary);
     this->MeasureCaps(solid);
+    this->OpenPinches();
     this->Observer.Update(1, "extracting the surface");
     return std::move(this->Result);
   }
@@ -121,6 +124,25 @@ private:
     {
       this->Result.Report.push_back("The surface is open: EndCaps is None, so " +
         std::to_string(leftOpen) + " triangles in the planes of ends were left out.");
+    }
+  }
+
+  void OpenPinches()
+  {
+    if (!(this->Options.PinchGap > 0))
+    {
+      return;
+    }
+    const double gap = this->Options.PinchGap * MedianEdgeLength(this->Result.Mesh);
+    const PinchGapResult pinches = recon::OpenPinches(
+      this->Result.Mesh, gap, this->Contours.Levels[0].Frame.Normal, this->Observer);
+    if (pinches.Places > 0)
+    {
+      this->Result.Report.push_back("Sheets of the surface touched in " +
+        Counted(pinches.Places, "place") + " and were drawn apart by at most " + Text(gap) +
+        (pinches.Left > 0
+            ? ", but in " + Counted(pinches.Left, "place") + " no way apart was found."
+            : std::string(".")));
     }
   }
 

@@ -1,0 +1,415 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Mesh/PinchGap.h"
+
+#include "Base/Median.h"
+#include "Mesh/TrianglePair.h"
+#include "Mesh/TriangleTree.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <vector>
+
+namespace recon
+{
+namespace
+{
+/// A point moves at most by this part of the shortest edge of its fan.
+constexpr double LargestPartOfEdge = 0.1;
+/// A move that would cross or touch a sheet is tried in other directions, then at a half, a quarter
+/// and an eighth of the gap.
+constexpr int Lengths = 4;
+/// Faces that lean less than this against the plane of the contours (a sine) count as lying in it.
+constexpr double LeastSlope = 1e-6;
+/// Steps of the search for a direction on the inner side of all faces of a fan.
+constexpr int DirectionSteps = 64;
+
+class Opening
+{
+public:
+  Opening(TriangleMesh& mesh, double gap, const Vector3& normal, Monitor& monitor)
+    : Mesh(mesh),
+      Gap(gap),
+      Normal(normal),
+      Observer(monitor)
+  {
+  }
+
+  PinchGapResult Run()
+  {
+    this->FindPlaces();
+    if (this->Result.Places > 0)
+    {
+      this->FindFans();
+      this->ChooseMoves();
+      this->MoveWithoutCrossing();
+      this->CountWhatIsLeft();
+    }
+    return this->Result;
+  }
+
+private:
+  /// A point that goes into the cone of its own fan.
+  struct Move
+  {
+    int Point = -1;
+    Point3 From{};
+    std::vector<Vector3> Steps; ///< the better first
+    int Trial = 0;
+    bool IsMade() const { return this->Trial < Lengths * static_cast<int>(this->Steps.size()); }
+    Point3 To() const
+    {
+      const int count = static_cast<int>(this->Steps.size());
+      return this->IsMade()
+        ? this->From + std::ldexp(1.0, -(this->Trial / count)) * this->Steps[this->Trial % count]
+        : this->From;
+    }
+  };
+
+  void FindPlaces()
+  {
+    std::vector<int> order(this->Mesh.Points.size());
+    std::iota(order.begin(), order.end(), 0);
+    const auto& points = this->Mesh.Points;
+    std::sort(order.begin(), order.end(),
+      [&](int a, int b) { return points[a] != points[b] ? points[a] < points[b] : a < b; });
+    for (std::size_t from = 0, to = 0; from < order.size(); from = to)
+    {
+      for (to = from; to < order.size() && points[order[to]] == points[order[from]];)
+      {
+        ++to;
+      }
+      if (to - from > 1)
+      {
+        this->Places.emplace_back(order.begin() + static_cast<std::ptrdiff_t>(from),
+          order.begin() + static_cast<std::ptrdiff_t>(to));
+      }
+    }
+    this->Result.Places = this->Places.size();
+  }
+
+  void FindFans()
+  {
+    this->FanOf.assign(this->Mesh.Points.size(), -1);
+    int count = 0;
+    for (const std::vector<int>& place : this->Places)
+    {
+      for (int p : place)
+      {
+        this->FanOf[p] = count++;
+      }
+    }
+    this->Fans.resize(count);
+    for (std::size_t t = 0; t < this->Mesh.Triangles.size(); ++t)
+    {
+      for (int p : this->Mesh.Triangles[t])
+      {
+        if (this->FanOf[p] >= 0)
+        {
+          this->Fans[this->FanOf[p]].push_back(static_cast<int>(t));
+        }
+      }
+    }
+  }
+
+  Vector3 NormalOf(int triangle) const
+  {
+    const auto& corners = this->Mesh.Triangles[triangle];
+    const Point3& a = this->Mesh.Points[corners[0]];
+    const Vector3 normal =
+      Cross(this->Mesh.Points[corners[1]] - a, this->Mesh.Points[corners[2]] - a);
+    const double length = Norm(normal);
+    return length > 0 ? (1 / length) * normal : Vector3{ 0, 0, 0 };
+  }
+
+  /// Normals of a fan's faces, turned so that they look away from the axis of its cone: out of the
+  /// solid where that is a wedge, into it where the solid is around an empty wedge.
+  std::vector<Vector3> NormalsOf(int point) const
+  {
+    std::vector<Vector3> normals;
+    Vector3 axis{ 0, 0, 0 };
+    Vector3 sum{ 0, 0, 0 };
+    for (int t : this->Fans[this->FanOf[point]])
+    {
+      normals.push_back(this->NormalOf(t));
+      sum = sum + normals.back();
+      for (int p : this->Mesh.Triangles[t])
+      {
+        const Vector3 edge = this->Mesh.Points[p] - this->Mesh.Points[point];
+        const double length = Norm(edge);
+        axis = length > 0 ? axis + (1 / length) * edge : axis;
+      }
+    }
+    const bool empty = Dot(axis, sum) > 0;
+    for (Vector3& normal : normals)
+    {
+      normal = (empty ? -1.0 : 1.0) * normal;
+    }
+    return normals;
+  }
+
+  /// A unit vector to the inner side of as many of the planes as can be had, and how far it keeps
+  /// from the nearest of them (the sine; negative: outside of one).
+  static Vector3 InwardOf(const std::vector<Vector3>& normals, double& clearance)
+  {
+    Vector3 direction{ 0, 0, 0 };
+    for (const Vector3& normal : normals)
+    {
+      direction = direction - normal;
+    }
+    Vector3 best{ 0, 0, 0 };
+    clearance = -2;
+    for (int step = 0; step < DirectionSteps; ++step)
+    {
+      const double length = Norm(direction);
+      if (!(length > 0))
+      {
+        break;
+      }
+      const Vector3 unit = (1 / length) * direction;
+      const auto worst = std::max_element(normals.begin(), normals.end(),
+        [&](const Vector3& a, const Vector3& b) { return Dot(a, unit) < Dot(b, unit); });
+      if (-Dot(*worst, unit) > clearance)
+      {
+        clearance = -Dot(*worst, unit);
+        best = unit;
+      }
+      // Away from the plane that is nearest, by less and less.
+      direction = unit - (1.0 / (2 + step)) * *worst;
+    }
+    return best;
+  }
+
+  double ShortestEdgeAt(int point) const
+  {
+    double shortest = std::numeric_limits<double>::infinity();
+    for (int t : this->Fans[this->FanOf[point]])
+    {
+      for (int p : this->Mesh.Triangles[t])
+      {
+        const double length = Norm(this->Mesh.Points[p] - this->Mesh.Points[point]);
+        shortest = p != point && length > 0 ? std::min(shortest, length) : shortest;
+      }
+    }
+    return shortest;
+  }
+
+  /// The same within the plane of the contours, for the faces that are not in it.
+  std::vector<Vector3> InPlane(const std::vector<Vector3>& normals) const
+  {
+    std::vector<Vector3> planar;
+    for (const Vector3& normal : normals)
+    {
+      const Vector3 part = normal - Dot(normal, this->Normal) * this->Normal;
+      const double length = Norm(part);
+      if (length > LeastSlope)
+      {
+        planar.push_back((1 / length) * part);
+      }
+    }
+    return planar;
+  }
+
+  /// Ways for a point, those within the plane first: what lies in the plane stays in it.
+  std::vector<Vector3> StepsOf(int point, double& clearance) const
+  {
+    const double length = std::min(this->Gap, LargestPartOfEdge * this->ShortestEdgeAt(point));
+    const std::vector<Vector3> normals = this->NormalsOf(point);
+    std::vector<Vector3> steps;
+    if (Norm(this->Normal) > 0)
+    {
+      double unused = 0;
+      const Vector3 planar = length * InwardOf(this->InPlane(normals), unused);
+      steps.insert(steps.end(), { planar, -1.0 * planar });
+    }
+    const Vector3 spatial = length * InwardOf(normals, clearance);
+    steps.insert(steps.end(), { spatial, -1.0 * spatial });
+    return steps;
+  }
+
+  /// Of every place the point whose fan leaves it the least way inward stays.
+  void ChooseMoves()
+  {
+    for (const std::vector<int>& place : this->Places)
+    {
+      std::vector<Move> moves;
+      std::size_t stays = 0;
+      double least = 2;
+      for (int p : place)
+      {
+        double clearance = 0;
+        std::vector<Vector3> steps = this->StepsOf(p, clearance);
+        if (clearance < least)
+        {
+          least = clearance;
+          stays = moves.size();
+        }
+        moves.push_back({ p, this->Mesh.Points[p], std::move(steps) });
+      }
+      this->Stays.push_back(moves[stays]);
+      moves.erase(moves.begin() + static_cast<std::ptrdiff_t>(stays));
+      this->Moves.insert(this->Moves.end(), moves.begin(), moves.end());
+    }
+  }
+
+  void MoveWithoutCrossing()
+  {
+    // Boxes of the mesh as it was: a moved triangle is within the gap of them.
+    const TriangleTree tree(this->Mesh);
+    this->MoveOf.assign(this->Mesh.Points.size(), -1);
+    this->Make(0, tree);
+    // Where one point found no way, the one that stayed may find one instead of it.
+    const std::size_t first = this->Moves.size();
+    for (const Move& stay : this->Stays)
+    {
+      const auto& place = this->Places[this->PlaceOf(stay)];
+      if (std::any_of(place.begin(), place.end(),
+            [&](int p) { return p != stay.Point && this->Mesh.Points[p] == stay.From; }))
+      {
+        this->Moves.push_back(stay);
+      }
+    }
+    this->Make(first, tree);
+  }
+
+  /// Stays are in the order of the places.
+  std::size_t PlaceOf(const Move& stay) const
+  {
+    return static_cast<std::size_t>(&stay - this->Stays.data());
+  }
+
+  /// Make the moves from that number on, and try others for those that cross or touch.
+  void Make(std::size_t first, const TriangleTree& tree)
+  {
+    std::vector<int> toLookAt;
+    const auto place = [&](std::size_t m)
+    {
+      this->Mesh.Points[this->Moves[m].Point] = this->Moves[m].To();
+      const auto& fan = this->Fans[this->FanOf[this->Moves[m].Point]];
+      toLookAt.insert(toLookAt.end(), fan.begin(), fan.end());
+    };
+    for (std::size_t m = first; m < this->Moves.size(); ++m)
+    {
+      this->MoveOf[this->Moves[m].Point] = static_cast<int>(m);
+      place(m);
+    }
+    // Every round takes a trial from a move, and each has only so many.
+    while (!toLookAt.empty())
+    {
+      this->Observer.Update(0.97, "opening pinches");
+      const std::vector<int> wrong = this->MovesThatCross(tree, toLookAt);
+      toLookAt.clear();
+      for (int m : wrong)
+      {
+        ++this->Moves[m].Trial;
+        place(static_cast<std::size_t>(m));
+      }
+    }
+  }
+
+  /// Whether the triangles touch in a corner that could not be drawn apart.
+  bool ShareAPlace(int s, int t) const
+  {
+    const auto& first = this->Mesh.Triangles[s];
+    const auto& second = this->Mesh.Triangles[t];
+    return std::any_of(first.begin(), first.end(),
+      [&](int p)
+      {
+        return std::any_of(second.begin(), second.end(),
+          [&](int q) { return p != q && this->Mesh.Points[p] == this->Mesh.Points[q]; });
+      });
+  }
+
+  /// Numbers of moves that are made, of triangles that cross, overlap or touch others.
+  std::vector<int> MovesThatCross(const TriangleTree& tree, std::vector<int>& triangles) const
+  {
+    std::sort(triangles.begin(), triangles.end());
+    triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+    std::vector<int> wrong;
+    const auto blame = [&](int triangle)
+    {
+      for (int p : this->Mesh.Triangles[triangle])
+      {
+        const int m = this->MoveOf[p];
+        if (m >= 0 && this->Moves[m].IsMade())
+        {
+          wrong.push_back(m);
+        }
+      }
+    };
+    for (int t : triangles)
+    {
+      Box3 box;
+      for (int p : this->Mesh.Triangles[t])
+      {
+        box.Add(this->Mesh.Points[p]);
+      }
+      tree.VisitMeeting(box.Grown(2 * this->Gap),
+        [&](int other)
+        {
+          if (other == t)
+          {
+            return;
+          }
+          const PairRelation relation = RelateTriangles(this->Mesh, t, other);
+          if (relation != PairRelation::Clean &&
+            (relation != PairRelation::Touching || !this->ShareAPlace(t, other)))
+          {
+            blame(t);
+            blame(other);
+          }
+        });
+    }
+    std::sort(wrong.begin(), wrong.end());
+    wrong.erase(std::unique(wrong.begin(), wrong.end()), wrong.end());
+    return wrong;
+  }
+
+  void CountWhatIsLeft()
+  {
+    for (std::vector<int>& place : this->Places)
+    {
+      std::sort(place.begin(), place.end(),
+        [&](int a, int b) { return this->Mesh.Points[a] < this->Mesh.Points[b]; });
+      this->Result.Left +=
+        std::adjacent_find(place.begin(), place.end(),
+          [&](int a, int b) { return this->Mesh.Points[a] == this->Mesh.Points[b]; }) == place.end()
+        ? 0
+        : 1;
+    }
+  }
+
+  TriangleMesh& Mesh;
+  double Gap;
+  Vector3 Normal; ///< of the contours' planes, or zero
+  Monitor& Observer;
+  PinchGapResult Result;
+  std::vector<std::vector<int>> Places; ///< points by place
+  std::vector<int> FanOf;             ///< of a point that has company the number of its fan, or -1
+  std::vector<std::vector<int>> Fans; ///< triangles
+  std::vector<Move> Moves;
+  std::vector<Move> Stays; ///< by place the point that stays, and how it could go
+  std::vector<int> MoveOf; ///< of a point, or -1
+};
+}
+
+PinchGapResult OpenPinches(TriangleMesh& mesh, double gap, const Vector3& normal, Monitor& monitor)
+{
+  return Opening(mesh, gap, normal, monitor).Run();
+}
+
+double MedianEdgeLength(const TriangleMesh& mesh)
+{
+  std::vector<double> lengths;
+  lengths.reserve(3 * mesh.Triangles.size());
+  for (const auto& corners : mesh.Triangles)
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      lengths.push_back(Norm(mesh.Points[corners[(k + 1) % 3]] - mesh.Points[corners[k]]));
+    }
+  }
+  return Median(std::move(lengths));
+}
+}

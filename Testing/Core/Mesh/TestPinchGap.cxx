@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Sheets that touch in points and edges, drawn apart.
+#include "Core/Polyhedral/PolyhedralShapes.h"
+#include "Core/Polyhedral/SurfaceInvariants.h"
+#include "Mesh/PinchGap.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+using namespace recon;
+using namespace recon::testing;
+
+namespace
+{
+/// The mesh as a file without indices gives it back: points of one place are one.
+TriangleMesh Welded(const TriangleMesh& mesh)
+{
+  TriangleMesh welded;
+  std::map<Point3, int> numbers;
+  for (const auto& corners : mesh.Triangles)
+  {
+    std::array<int, 3> triangle{};
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const Point3& p = mesh.Points[corners[k]];
+      const auto found = numbers.emplace(p, static_cast<int>(welded.Points.size()));
+      if (found.second)
+      {
+        welded.Points.push_back(p);
+      }
+      triangle[k] = found.first->second;
+    }
+    welded.Triangles.push_back(triangle);
+  }
+  return welded;
+}
+
+void ExpectManifoldWhenWelded(const TriangleMesh& mesh)
+{
+  const TriangleMesh welded = Welded(mesh);
+  EXPECT_EQ(welded.Points.size(), mesh.Points.size());
+  ExpectClosed(welded);
+  ExpectManifold(welded);
+  ExpectOriented(welded);
+  ExpectNoSelfIntersections(welded);
+}
+
+/// Appends a tetrahedron that is outward oriented.
+void AddTetrahedron(TriangleMesh& mesh, std::array<Point3, 4> p)
+{
+  if (Dot(p[1] - p[0], Cross(p[2] - p[0], p[3] - p[0])) < 0)
+  {
+    std::swap(p[2], p[3]);
+  }
+  const int first = static_cast<int>(mesh.Points.size());
+  mesh.Points.insert(mesh.Points.end(), p.begin(), p.end());
+  for (const std::array<int, 3>& face :
+    { std::array<int, 3>{ 1, 2, 3 }, { 0, 3, 2 }, { 0, 1, 3 }, { 0, 2, 1 } })
+  {
+    mesh.Triangles.push_back({ first + face[0], first + face[1], first + face[2] });
+  }
+}
+
+ContourSet PixelSquaresThatTouch()
+{
+  RingStack levels;
+  for (int i = 0; i < 3; ++i)
+  {
+    levels.push_back({ Rectangle(0, 0, 1, 1), Rectangle(1, 1, 2, 2) });
+  }
+  return BuildStack(levels);
+}
+}
+
+TEST(PinchGap, WedgesThatTouchInAPoint)
+{
+  TriangleMesh mesh;
+  AddTetrahedron(mesh, { { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } } });
+  AddTetrahedron(mesh, { { { 0, 0, 0 }, { -1, 0, 0 }, { 0, -1, 0 }, { 0, 0, -1 } } });
+  Monitor monitor;
+  const PinchGapResult result = OpenPinches(mesh, 1e-3, { 0, 0, 0 }, monitor);
+  EXPECT_EQ(result.Places, 1u);
+  EXPECT_EQ(result.Left, 0u);
+  ExpectManifoldWhenWelded(mesh);
+  EXPECT_EQ(std::count(mesh.Points.begin(), mesh.Points.end(), Point3{ 0, 0, 0 }), 1);
+}
+
+TEST(PinchGap, WedgesThatTouchInAnEdge)
+{
+  TriangleMesh mesh;
+  AddTetrahedron(mesh, { { { 0, 0, 0 }, { 0, 0, 1 }, { 1, 0, 0 }, { 1, 1, 0 } } });
+  AddTetrahedron(mesh, { { { 0, 0, 0 }, { 0, 0, 1 }, { -1, 0, 0 }, { -1, -1, 0 } } });
+  Monitor monitor;
+  const PinchGapResult result = OpenPinches(mesh, 1e-3, { 0, 0, 0 }, monitor);
+  EXPECT_EQ(result.Places, 2u);
+  EXPECT_EQ(result.Left, 0u);
+  ExpectManifoldWhenWelded(mesh);
+}
+
+TEST(PinchGap, MovesNoFurtherThanTheGap)
+{
+  TriangleMesh mesh;
+  AddTetrahedron(mesh, { { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } } });
+  AddTetrahedron(mesh, { { { 0, 0, 0 }, { -1, 0, 0 }, { 0, -1, 0 }, { 0, 0, -1 } } });
+  const TriangleMesh before = mesh;
+  Monitor monitor;
+  OpenPinches(mesh, 0.01, { 0, 0, 0 }, monitor);
+  int moved = 0;
+  for (std::size_t i = 0; i < mesh.Points.size(); ++i)
+  {
+    const double way = Norm(mesh.Points[i] - before.Points[i]);
+    EXPECT_LE(way, 0.01 * (1 + 1e-12));
+    moved += way > 0 ? 1 : 0;
+  }
+  EXPECT_EQ(moved, 1);
+  EXPECT_EQ(mesh.Triangles, before.Triangles);
+}
+
+TEST(PinchGap, LeavesWhatTouchesNowhere)
+{
+  TriangleMesh mesh;
+  AddTetrahedron(mesh, { { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } } });
+  const TriangleMesh before = mesh;
+  Monitor monitor;
+  const PinchGapResult result = OpenPinches(mesh, 0.1, { 0, 0, 0 }, monitor);
+  EXPECT_EQ(result.Places, 0u);
+  EXPECT_EQ(mesh.Points, before.Points);
+}
+
+TEST(PinchGap, PixelSquaresThatTouchInACornerAreManifoldInAFileWithoutIndices)
+{
+  PolyhedralOptions options;
+  const ContourSet contours = PixelSquaresThatTouch();
+  EXPECT_NE(Welded(BuildSurface(contours, options).Mesh).Points.size(),
+    BuildSurface(contours, options).Mesh.Points.size());
+  options.PinchGap = 1e-3;
+  const PolyhedralSurface surface = BuildSurface(contours, options);
+  ExpectManifoldWhenWelded(surface.Mesh);
+  ExpectContourVertices(surface, contours);
+  ASSERT_FALSE(surface.Report.empty());
+  EXPECT_NE(surface.Report.back().find("drawn apart"), std::string::npos);
+}
+
+TEST(PinchGap, EmptyWedgesThatTouchAreDrawnApartAsWell)
+{
+  // Two holes that share a corner within one square: the solid is around both.
+  RingStack levels;
+  for (int i = 0; i < 3; ++i)
+  {
+    levels.push_back({ Rectangle(0, 0, 6, 6), Rectangle(2, 2, 3, 3), Rectangle(3, 3, 4, 4) });
+  }
+  PolyhedralOptions options;
+  options.PinchGap = 1e-3;
+  const ContourSet contours = BuildStack(levels);
+  const PolyhedralSurface surface = BuildSurface(contours, options);
+  ExpectManifoldWhenWelded(surface.Mesh);
+  ExpectContourVertices(surface, contours);
+}
+
+TEST(PinchGap, RandomStacksAreManifoldInAFileWithoutIndices)
+{
+  for (unsigned seed = 1; seed <= 40; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    const ContourSet contours = BuildStack(RandomStack(seed));
+    PolyhedralOptions options;
+    options.Mapping = PolyhedralOptions::Overlap;
+    options.IsolatedContours = PolyhedralOptions::Extrude;
+    options.PinchGap = 1e-3;
+    const PolyhedralSurface surface = BuildSurface(contours, options);
+    ExpectContourVertices(surface, contours);
+    ExpectManifoldWhenWelded(surface.Mesh);
+    options.PinchGap = 0;
+    // Sections differ by strips as wide as the gap.
+    EXPECT_NEAR(VolumeOf(surface.Mesh), VolumeOf(BuildSurface(contours, options).Mesh),
+      1e-2 * VolumeOf(surface.Mesh));
+  }
+}
