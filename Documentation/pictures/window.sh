@@ -47,9 +47,14 @@ done
 window="$(xdotool search --onlyvisible --name '^ParaView 5' | tail -n 1)"
 xdotool windowmove "$window" 0 0 windowsize "$window" 1320 900
 sleep 5
-# A wider and higher panel, by its borders.
-xdotool mousemove 295 300 sleep 0.5 mousedown 1 sleep 0.5 mousemove 330 300 sleep 0.5 mousemove 370 300 sleep 0.5 mouseup 1
-xdotool mousemove 185 400 sleep 0.5 mousedown 1 sleep 0.5 mousemove 185 350 sleep 0.5 mousemove 185 300 sleep 0.5 mouseup 1
+# A wider and higher panel, by its borders; slowly, as a loaded machine misses quick moves.
+drag()
+{
+  xdotool mousemove "$1" "$2" sleep 2 mousedown 1 sleep 2
+  xdotool mousemove "$((($1 + $3) / 2))" "$((($2 + $4) / 2))" sleep 2 mousemove "$3" "$4" sleep 2 mouseup 1
+}
+drag 295 600 370 600
+drag 185 400 185 300
 xdotool mousemove 800 600
 sleep 5
 import -window root "$here/window.png"
