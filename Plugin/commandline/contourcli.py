@@ -136,6 +136,8 @@ class StructureSetWriter:
         except CommandError as error:
             raise CommandError(f"{block.name}: {error}")
         data = detached(contours.GetClientSideObject().GetOutputDataObject(0))
+        for line in strings(block.data, "Report"):
+            note(line)
         slices = len(values(data, "LevelOffset"))
         self.rows.append([block.name, block.data.GetNumberOfCells(), data.GetNumberOfCells(), slices, f"{seconds:.2f}"])
         self.traced.append(Contours(block.name, data))

@@ -4,7 +4,7 @@ import os
 
 from paraview import simple
 
-from contourcommon import CommandError, Watched, as_source, detached, new_node, note, run_proxy, values
+from contourcommon import CommandError, Watched, as_source, detached, new_node, note, run_proxy, strings, values
 
 READERS = {
     ".cnt": "NUAGESContourReader",
@@ -131,7 +131,16 @@ def read_contours(path, rois=None):
         raise CommandError(f"{path} holds no contours.")
     if not data.IsA("vtkPartitionedDataSetCollection") and len(blocks) > 1:
         blocks = _join_slices(blocks, title)
+    _tell_of_the_file(data, blocks)
     return blocks, seconds
+
+
+def _tell_of_the_file(data, blocks):
+    """What the reader reports of the file as a whole, or of regions that nothing is made of."""
+    of_regions = [line for block in blocks if not block.nothing for line in strings(block.data, "Report")]
+    for line in strings(data, "Report"):
+        if line not in of_regions and not line.endswith(": it has no contours."):
+            note(line)
 
 
 def _lines_of(data):

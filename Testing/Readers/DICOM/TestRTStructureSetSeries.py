@@ -63,6 +63,12 @@ code, said = trace("frames/set.dcm", "--roi", "OrganMR", "--reference", os.path.
 ct.check(code != 0 and not os.path.exists(OUT), f"OrganMR is written on the CT: {said}")
 ct.check("frame of reference" in said and "Traceback" not in said, f"OrganMR on the CT: {said}")
 
+# What the reader left out is said in this journey as well.
+code, said = trace("malformed_nan.dcm", "--roi", "Bad", "--reference", os.path.join(FAULTS, "leg", "ct", "CT000.dcm"))
+ct.check(code == 0 and 'ROI "Bad", contour 6: left out' in said, f"malformed_nan returns {code}: {said}")
+code, said = trace("dupnum.dcm", "--roi", "Lung", "--reference", os.path.join(FAULTS, "leg", "ct", "CT000.dcm"))
+ct.check(code != 0 and '"Lung", "New2" have one number, 19' in said, f"dupnum returns {code}: {said}")
+
 # The writer itself refuses as well.
 organ = simple.DICOMRTStructureSetReader(FileName=os.path.join(FAULTS, "frames", "set.dcm"), ROIs=["OrganMR"])
 writer = simple.DICOMRTStructureSetWriter(Input=organ, FileName=OUT, ReferenceFileName=os.path.join(
