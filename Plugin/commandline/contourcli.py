@@ -86,6 +86,36 @@ def slices_within(slices, contours):
     return within
 
 
+def areas(contours):
+    """What each cell of poly data encloses in its plane."""
+    result = []
+    for i in range(contours.GetNumberOfCells()):
+        points = contours.GetCell(i).GetPoints()
+        corners = [points.GetPoint(p) for p in range(points.GetNumberOfPoints())]
+        total = [0.0] * 3
+        for p, q in zip(corners, corners[1:] + corners[:1]):
+            p, q = [[a - b for a, b in zip(point, corners[0])] for point in (p, q)]
+            total = [total[0] + p[1] * q[2] - p[2] * q[1], total[1] + p[2] * q[0] - p[0] * q[2],
+                     total[2] + p[0] * q[1] - p[1] * q[0]]
+        result.append(0.5 * math.sqrt(sum(x * x for x in total)))
+    return result
+
+
+def without_specks(traced, drawn, pixel):
+    """Traced contours but those smaller than a pixel and than half of any that somebody drew; (poly data, left out)."""
+    smallest = min([pixel] + [0.5 * area for area in areas(drawn) if area > 0])
+    specks = [i for i, area in enumerate(areas(traced)) if area < smallest]
+    if not specks:
+        return traced, 0
+    kept = traced.NewInstance()
+    kept.DeepCopy(traced)
+    kept.BuildCells()
+    for i in specks:
+        kept.DeleteCell(i)
+    kept.RemoveDeletedCells()
+    return kept, len(specks)
+
+
 class StructureSetWriter:
     """Traces contours on the slices of a reference, and writes them, a region of interest a block."""
 
@@ -108,6 +138,11 @@ class StructureSetWriter:
             run_proxy(planes)
             self.slices[frame] = planes.GetClientSideObject().GetOutputDataObject(0)
         return self.slices[frame]
+
+    def _pixel_in(self, block):
+        """The area of the images' pixels, mm2; 0 where the reference does not tell it."""
+        known = self.slices.get("".join(strings(block.data, "FrameOfReferenceUID")))
+        return known.GetCellData().GetArray("PixelArea").GetRange()[0] if known is not None else 0.0
 
     def _planes(self, block):
         if not self.on_slices:
@@ -138,6 +173,11 @@ class StructureSetWriter:
         data = detached(contours.GetClientSideObject().GetOutputDataObject(0))
         for line in strings(block.data, "Report"):
             note(line)
+        pixel = self._pixel_in(block)
+        data, specks = without_specks(data, block.data, pixel)
+        if specks:
+            note(f"{block.name}: {specks} of the contours left out, smaller than a pixel ({pixel:.4g} mm2) and than "
+                 "half of any that was drawn.")
         slices = len(values(data, "LevelOffset"))
         self.rows.append([block.name, block.data.GetNumberOfCells(), data.GetNumberOfCells(), slices, f"{seconds:.2f}"])
         self.traced.append(Contours(block.name, data))

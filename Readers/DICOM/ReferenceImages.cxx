@@ -4,6 +4,7 @@
 #include "Base/Text.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <utility>
@@ -55,8 +56,11 @@ ReferenceSlice SliceOf(DcmItem& image)
   double spacing[2] = { 1, 1 };
   int rows = 1;
   int columns = 1;
-  GetNumber(image, DCM_PixelSpacing, 0, spacing[0]);
-  GetNumber(image, DCM_PixelSpacing, 1, spacing[1]);
+  if (GetNumber(image, DCM_PixelSpacing, 0, spacing[0]) &&
+    GetNumber(image, DCM_PixelSpacing, 1, spacing[1]))
+  {
+    slice.PixelArea = std::abs(spacing[0] * spacing[1]);
+  }
   GetCount(image, DCM_Rows, rows);
   GetCount(image, DCM_Columns, columns);
   const Vector3 across = (columns * spacing[1]) * row;

@@ -24,6 +24,7 @@ struct ReferenceSlice
   double Offset = 0;         ///< along Normal, from the origin
   /// Around the pixels of an image; around all that is drawn, for an image that is known from that.
   std::array<Point3, 4> Outline{};
+  double PixelArea = 0; ///< mm2; 0 where it is unknown
 };
 
 /// Of length 1 with a positive largest component, and exactly an axis where it is one but for

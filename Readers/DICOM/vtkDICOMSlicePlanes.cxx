@@ -42,6 +42,8 @@ void ToPolyData(const std::vector<recon::ReferenceSlice>& slices, vtkPolyData* o
   vtkNew<vtkCellArray> rectangles;
   vtkNew<vtkStringArray> images;
   images->SetName("SOPInstanceUID");
+  vtkNew<vtkDoubleArray> pixels;
+  pixels->SetName("PixelArea");
   for (const recon::ReferenceSlice& slice : slices)
   {
     rectangles->InsertNextCell(static_cast<int>(slice.Outline.size()));
@@ -50,10 +52,12 @@ void ToPolyData(const std::vector<recon::ReferenceSlice>& slices, vtkPolyData* o
       rectangles->InsertCellPoint(points->InsertNextPoint(corner.data()));
     }
     images->InsertNextValue(slice.InstanceUID);
+    pixels->InsertNextValue(slice.PixelArea);
   }
   output->SetPoints(points);
   output->SetPolys(rectangles);
   output->GetCellData()->AddArray(images);
+  output->GetCellData()->AddArray(pixels);
 }
 }
 

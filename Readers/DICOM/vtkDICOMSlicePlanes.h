@@ -9,8 +9,9 @@
  *
  * Output: a rectangle (polygon) an image, in millimetres of the DICOM patient coordinate system, by
  * increasing offset along the normal: the border of its pixels, or what is around all contours of a
- * structure set. Cell array `SOPInstanceUID` (strings) names the images. vtkImplicitContours takes
- * the output as its second input.
+ * structure set. Cell arrays `SOPInstanceUID` (strings), which names the images, and `PixelArea`
+ * (double, mm2; 0 where a structure set does not tell it). vtkImplicitContours takes the output as
+ * its second input.
  *
  * Field data: `FrameOfReferenceUID`, the frame that the coordinates are in; `ContourTolerance`
  * (double, mm), how near to a slice a contour belongs to it: half the distance of the slices, or

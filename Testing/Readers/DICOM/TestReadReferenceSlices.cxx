@@ -129,6 +129,7 @@ TEST_F(ReadReferenceSlices, AreTheImagesByHeight)
   {
     EXPECT_EQ(slices[i].InstanceUID, ImageUID(i));
     EXPECT_EQ(slices[i].Normal, (recon::Vector3{ 0, 0, 1 }));
+    EXPECT_DOUBLE_EQ(slices[i].PixelArea, 1);
     const double z = SliceSpacing * i;
     // 4 rows of 2 mm, 6 columns of 0.5 mm; the first pixel's centre is at -100, -100.
     EXPECT_EQ(slices[i].Outline,
