@@ -15,6 +15,8 @@
 #include "vtkStringArray.h"
 
 #include <algorithm>
+#include <cctype>
+#include <fstream>
 
 namespace recon
 {
@@ -198,6 +200,20 @@ unsigned long RunOnFile(vtkAlgorithm* algorithm, const char* fileName, const cha
     vtkErrorWithObjectMacro(algorithm, << outcome.Sentence);
   }
   return outcome.ErrorCode;
+}
+
+bool HasExtension(const char* fileName, std::initializer_list<const char*> extensions)
+{
+  const std::string name = fileName ? fileName : "";
+  const std::size_t dot = name.rfind('.');
+  if (dot == std::string::npos || !std::ifstream(name))
+  {
+    return false;
+  }
+  std::string extension = name.substr(dot);
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
 }
 
 void FinishOutput(

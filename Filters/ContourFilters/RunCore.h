@@ -84,6 +84,11 @@ struct FileOutcome
 CONTOURFILTERS_EXPORT unsigned long RunOnFile(vtkAlgorithm* algorithm, const char* fileName,
   const char* kind, unsigned long failure, Outputs outputs, const std::function<void()>& work);
 
+/// Whether the file is there and has one of these extensions (".cnt"), in any case. A reader takes
+/// such files whatever is in them, so that its sentence says what is wrong, not a list of readers.
+CONTOURFILTERS_EXPORT bool HasExtension(
+  const char* fileName, std::initializer_list<const char*> extensions);
+
 /**
  * The field data of the input goes along (name, number and colour of a region of interest), but for
  * arrays that the output has of its own, and `Report` becomes these lines.

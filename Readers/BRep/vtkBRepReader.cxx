@@ -64,7 +64,8 @@ void vtkBRepReader::PrintSelf(ostream& os, vtkIndent indent)
 
 int vtkBRepReader::CanReadFile(const char* fileName)
 {
-  return fileName && recon::IsBRep(fileName) ? 1 : 0;
+  return fileName && (recon::HasExtension(fileName, { ".brep" }) || recon::IsBRep(fileName)) ? 1
+                                                                                             : 0;
 }
 
 int vtkBRepReader::RequestData(

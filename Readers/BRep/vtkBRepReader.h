@@ -41,7 +41,8 @@ public:
   ///@}
 
   /**
-   * Whether the first word of the file, comments aside, is NUM_SHELL_SETS, whatever its name.
+   * Whether the first word of the file, comments aside, is NUM_SHELL_SETS, whatever its name, or its
+   * extension says that it should: then the reader tells what is wrong with it.
    */
   static int CanReadFile(const char* fileName);
 

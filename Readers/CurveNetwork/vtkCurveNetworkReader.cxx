@@ -104,8 +104,10 @@ const char* vtkCurveNetworkReader::GetReport()
 
 int vtkCurveNetworkReader::CanReadFile(const char* fileName)
 {
-  return fileName && recon::CurveNetworkFormatOf(fileName) != recon::CurveNetworkFormat::None ? 1
-                                                                                              : 0;
+  const bool canRead = fileName &&
+    (recon::HasExtension(fileName, { ".csl", ".contour" }) ||
+      recon::CurveNetworkFormatOf(fileName) != recon::CurveNetworkFormat::None);
+  return canRead ? 1 : 0;
 }
 
 int vtkCurveNetworkReader::FillOutputPortInformation(int, vtkInformation* info)

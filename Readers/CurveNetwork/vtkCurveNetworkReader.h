@@ -45,7 +45,8 @@ public:
   ///@}
 
   /**
-   * Whether the file begins as one of the two formats does, whatever its name.
+   * Whether the file begins as one of the two formats does, whatever its name, or its
+   * extension says that it should: then the reader tells what is wrong with it.
    */
   static int CanReadFile(const char* fileName);
 

@@ -31,7 +31,8 @@ void vtkNUAGESReader::PrintSelf(ostream& os, vtkIndent indent)
 
 int vtkNUAGESReader::CanReadFile(const char* fileName)
 {
-  return fileName && recon::IsNUAGES(fileName) ? 1 : 0;
+  return fileName && (recon::HasExtension(fileName, { ".cnt" }) || recon::IsNUAGES(fileName)) ? 1
+                                                                                              : 0;
 }
 
 int vtkNUAGESReader::RequestData(

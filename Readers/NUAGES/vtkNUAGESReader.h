@@ -37,7 +37,8 @@ public:
   ///@}
 
   /**
-   * Whether the file begins as a NUAGES file does, whatever its name.
+   * Whether the file begins as a NUAGES file does, whatever its name, or its
+   * extension says that it should: then the reader tells what is wrong with it.
    */
   static int CanReadFile(const char* fileName);
 

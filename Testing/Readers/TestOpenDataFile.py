@@ -36,4 +36,10 @@ for name, content in [("text", "Some text\n"), ("none", ""), ("bytes", bytes(ran
     for label, reader in READERS.items():
         ct.check(not reader.CanReadFile(path), f"{label} would read {name}")
         ct.check(not reader.CanReadFile(ct.output("absent")), f"{label} would read a file that is absent")
+# A damaged file of an extension that is ours alone comes to its reader, whose sentence says what is wrong.
+for name, expected in (("damaged.cnt", "NUAGESContourReader"), ("damaged.CSL", "CurveNetworkReader"),
+                       ("damaged.contour", "CurveNetworkReader"), ("damaged.brep", "BRepReader")):
+    opened = simple.OpenDataFile(rt.write(name, "Some text\n"))
+    if ct.check(opened is not None and opened.GetXMLName() == expected, f"{name}: opened by {opened}"):
+        ct.check(name in ct.errors_of(opened.UpdatePipeline), f"{name}: the reader says what is wrong")
 ct.finish()
