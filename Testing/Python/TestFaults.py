@@ -25,6 +25,16 @@ ROWS = [
     ("no_extension", "rt/no_extension/RS.1.2.3", [], {"Heart": (9566.5, 1)}, [], None),
     # nothing that can be kept is lost
     ("open", "rt/open/set.dcm", [], {"HR-CTV": (9566.5, 1)}, ["open contours only, nothing to do", "points only, nothing to do"], None),
+    ("malformed_nan", "rt/malformed_nan.dcm", FLAT, {"Good": (13549.89, 1), "Other": (18442.91, 1)}, [], 3),
+    ("malformed_trail", "rt/malformed_trail.dcm", FLAT, {"Good": (13549.89, 1), "Other": (18442.91, 1)}, [], 3),
+    ("dupnum", "rt/dupnum.dcm", FLAT, {"Heart": (13549.89, 1), "New1": (11385.67, 1)}, [], None),
+    ("names_jis", "rt/names_jis.dcm", [], {}, ["左肺", "心臓"], 2),
+    # twins
+    ("twin_12_points", "rt/twin_12_points.dcm", FLAT, {"organ": (1800, 2)}, ["within rounding"], None),
+    ("retraced", "other/retraced.vtp", FLAT, {"retraced": (62.65, 0.8)}, [], None),
+    # sections that do not overlap
+    ("two_circles_apart", "other/two_circles_apart.vtp", FLAT + ["--set", "ForcedJoins=0,1"],
+     {"two_circles_apart": (3.1365, 0.01)}, [], None),
     # a block a slice, as ParaView's readers give them
     ("slices", "other/slices.vtm", FLAT, {"slices": (82868.5, 1)}, ["slices of one object"], None),
     ("lines3d", "other/lines3d.geojson", FLAT, {"lines3d": (82868.5, 1)}, ["slices of one object"], None),
