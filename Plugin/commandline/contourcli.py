@@ -11,11 +11,11 @@ import sys
 from paraview import simple
 
 # What scripts that use this module find here.
-from contourcommon import (CommandError, ProgressBar, as_source, detached, load_plugin, new_node, note,  # noqa: F401
+from contourcommon import (CommandError, NothingToDo, ProgressBar, as_source, detached, load_plugin, new_node, note,  # noqa: F401
                            run_proxy, strings, values)
 from contourinput import PARAVIEW_FORMATS, READERS, Contours, is_dicom, read_contours  # noqa: F401
 from contouroutput import SURFACE_FORMATS, output_paths, parse_offset, write_surface  # noqa: F401
-from contoursettings import SettingError, apply_settings, settable  # noqa: F401
+from contoursettings import SettingError, apply_settings, describe, settable  # noqa: F401
 
 METHODS = {"psm": "PolyhedralSurface", "ism": "ImplicitSurface"}
 STRUCTURE_SET = ".dcm"
@@ -50,8 +50,8 @@ def reconstruct(contours, method="psm", settings=(), bar=None):
     surface = detached(node.GetClientSideObject().GetOutputDataObject(0))
     report = strings(surface, "Report")
     if surface.GetNumberOfPolys() == 0:
-        why = report[-1] if report else "no reason was given."
-        raise CommandError(f"{contours.name}: no surface came out: {why}")
+        # Whatever went wrong was an error, and has left this function already.
+        raise NothingToDo(report[-1] if report else "There is nothing to make a surface of.")
     stages = list(zip(strings(surface, "StageName"), values(surface, "StageSeconds")))
     if not stages:
         stages = [("surface", total)]
@@ -179,6 +179,8 @@ class StructureSetWriter:
             note(f"{block.name}: {specks} of the contours left out, smaller than a pixel ({pixel:.4g} mm2) and than "
                  "half of any that was drawn.")
         slices = len(values(data, "LevelOffset"))
+        if not slices:
+            raise NothingToDo((strings(data, "Report") or ["There is nothing to make contours of."])[-1])
         self.rows.append([block.name, block.data.GetNumberOfCells(), data.GetNumberOfCells(), slices, f"{seconds:.2f}"])
         self.traced.append(Contours(block.name, data))
         for proxy in list(reversed(stages)) + [source] + list(planes.values()):

@@ -16,6 +16,10 @@ class CommandError(Exception):
     """One sentence for the user."""
 
 
+class NothingToDo(CommandError):
+    """A region of which nothing can be made, through no fault of its own; no failure."""
+
+
 def note(sentence):
     """What the user should know though all went on, on standard error."""
     print("Note: " + sentence, file=sys.stderr)

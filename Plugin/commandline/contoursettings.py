@@ -21,6 +21,28 @@ def settable(proxy):
     return [name for name in proxy.ListProperties() if name not in HIDDEN]
 
 
+def describe(proxy):
+    """A line a property: its name, its value, and what it takes."""
+    lines = []
+    for name in settable(proxy):
+        inner = proxy.GetProperty(name).SMProperty
+        choice = _domain(inner, "vtkSMEnumerationDomain")
+        if inner.IsA("vtkSMInputProperty"):
+            lines.append(f"{name}: a .csv file")
+            continue
+        if choice is not None:
+            takes = ", ".join(choice.GetEntryText(i) for i in range(choice.GetNumberOfEntries()))
+        elif _domain(inner, "vtkSMBooleanDomain") is not None:
+            takes = "on or off"
+        elif inner.IsA("vtkSMStringVectorProperty"):
+            takes = "text"
+        else:
+            takes = _range_words(inner, 0, not inner.IsA("vtkSMDoubleVectorProperty"))
+        value = str(proxy.GetPropertyValue(name)).strip("'")
+        lines.append(f"{name} = {value}: {takes}")
+    return lines
+
+
 def apply_settings(proxies, settings):
     """settings: list of PROPERTY=VALUE, each for those of the proxies that have it."""
     for setting in settings:

@@ -20,7 +20,7 @@ def parse(arguments):
     parser.add_argument("input", metavar="IN",
                         help="contours: " + " ".join(list(cli.READERS) + list(cli.PARAVIEW_FORMATS)) +
                              "; structure sets also without .dcm")
-    parser.add_argument("output", metavar="OUT",
+    parser.add_argument("output", metavar="OUT", nargs="?",
                         help="surface: " + " ".join(cli.SURFACE_FORMATS) +
                              "; or, of --method ism, contours on all slices as an RT structure set: .dcm")
     parser.add_argument("--method", choices=sorted(cli.METHODS), default="psm",
@@ -40,9 +40,14 @@ def parse(arguments):
                              "series; it gives patient, study and slices (IN, where that is one)")
     parser.add_argument("--extrapolate", action="store_true",
                         help="for OUT.dcm: also on slices beyond the outermost drawn points, where the surface closes")
+    parser.add_argument("--list", action="store_true",
+                        help="list the regions of IN and the properties that --set takes, with their values, and write nothing")
     parser.add_argument("--certificate", metavar="FILE.json",
                         help="write everything that is known about the surfaces")
-    return parser.parse_args(arguments)
+    options = parser.parse_args(arguments)
+    if not options.output and not options.list:
+        parser.error("give OUT, the file to write, or --list.")
+    return options
 
 
 def check_output(path):
@@ -129,6 +134,9 @@ def write_structure_set(options, blocks, reference):
             writer.trace(block, bar)
         except cli.SettingError:
             raise
+        except cli.NothingToDo as reason:
+            bar.clear()
+            print(f"{block.name}: nothing to do: {reason}")
         except cli.CommandError as error:
             failures.add(block.name, error)
         finally:
@@ -154,6 +162,9 @@ def write_surfaces(options, blocks, reading):
             files.append(path)
         except cli.SettingError:
             raise
+        except cli.NothingToDo as reason:
+            bar.clear()
+            print(f"{block.name}: nothing to do: {reason}")
         except cli.CommandError as error:
             failures.add(block.name, error)
         finally:
@@ -180,7 +191,23 @@ def check_options(options):
     return reference
 
 
+def list_all(options):
+    """What --roi and --set may name."""
+    cli.load_plugin()
+    blocks, _ = cli.read_contours(options.input, options.roi)
+    rows = [[block.name, 0 if block.data is None else block.data.GetNumberOfCells(), block.nothing] for block in blocks]
+    print(cli.format_table(rows, ["region", "contours", ""]))
+    for name in (cli.METHODS[options.method], "SurfaceCertificate"):
+        node = cli.new_node(name, Input=cli.as_source(blocks[0].data))
+        print(f"\n{node.GetXMLLabel()}")
+        for line in cli.describe(node):
+            print("  " + line)
+
+
 def run(options):
+    if options.list:
+        list_all(options)
+        return
     reference = check_options(options)
     cli.load_plugin()
     blocks, reading = cli.read_contours(options.input, options.roi)

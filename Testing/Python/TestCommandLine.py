@@ -129,6 +129,9 @@ fails("There is no folder", brain, os.path.join("nowhere", "out.vtp"))
 fails("no property 'Nonsense'", brain, "out.vtp", "--set", "Nonsense=1")
 fails("PROPERTY=VALUE", brain, "out.vtp", "--set", "InternalPoints")
 fails("--roi needs a DICOM", brain, "out.vtp", "--roi", "Heart")
+listed = succeeds("drawn.dcm", "--list")
+ct.check("Body" in listed and "Ball" in listed and "EndCaps = Tapered: Flat, HalfSlice, Tapered, None" in listed,
+         f"--list tells regions and properties: {listed}")
 # Settings are checked against what the nodes say of them, names in any case.
 for setting, words in (("EndCaps=Round", "one of Flat, HalfSlice, Tapered, None"), ("OverlapThreshold=7", "from 0 to 0.99"),
                        ("InternalPoints=maybe", "on or off"), ("Threads=1.5", "no whole number"),
