@@ -24,6 +24,7 @@ struct Image
   std::string Series;
   std::string Frame;
   bool HasPlane = false;
+  bool IsLocalizer = false; ///< as it says itself
   ReferenceSlice Slice;
 };
 
@@ -102,6 +103,7 @@ private:
     throw Error("Cannot take " + this->Folder + " as reference: " + sentence);
   }
   void Add(const std::filesystem::path& path);
+  void KeepDirection();
   /// Leaves those that wanted() takes, and tells of the others.
   template <typename Wanted>
   void Keep(const std::string& sentence, Wanted wanted);
@@ -139,11 +141,18 @@ void FolderOfImages::Add(const std::filesystem::path& path)
   image.FileName = path.string();
   image.Series = GetText(data, DCM_SeriesInstanceUID);
   image.Frame = GetText(data, DCM_FrameOfReferenceUID);
+  image.IsLocalizer = GetText(data, DCM_ImageType).find("LOCALIZER") != std::string::npos;
   image.HasPlane = HasPlane(data);
   if (image.HasPlane)
   {
     image.Slice = SliceOf(data);
     image.HasPlane = Norm(image.Slice.Normal) > 0;
+  }
+  if (!image.HasPlane && image.Series.empty() && !data.tagExists(DCM_DirectoryRecordSequence))
+  {
+    // Every image is of some series: this one is cut off between two elements before that.
+    this->Damaged.push_back(BaseName(path.string()));
+    return;
   }
   this->Images.push_back(std::move(image));
 }
@@ -238,6 +247,15 @@ void FolderOfImages::KeepMost()
   this->Keep("Images of the series that have another frame of reference than most were left out",
     [&usual](const Image& image) { return image.Frame == usual->first; });
 
+  const bool areAll = std::all_of(
+    this->Images.begin(), this->Images.end(), [](const Image& image) { return image.IsLocalizer; });
+  this->Keep("Localizers among the images of the series were left out",
+    [areAll](const Image& image) { return areAll || !image.IsLocalizer; });
+  this->KeepDirection();
+}
+
+void FolderOfImages::KeepDirection()
+{
   const Image* middle = nullptr;
   std::size_t most = 0;
   const auto isAcross = [](const Image& a, const Image& b)

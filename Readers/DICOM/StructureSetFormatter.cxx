@@ -8,6 +8,8 @@
 #include "DICOM/DICOMItem.h"
 #include "DICOM/DICOMText.h"
 #include "DICOM/DICOMTextConversion.h"
+#include "DICOM/ROIRegister.h"
+#include "DICOM/StructureSetCheck.h"
 #include "DICOM/StructureSetReference.h"
 
 #include <dcmtk/dcmdata/dcmetinf.h>
@@ -15,11 +17,8 @@
 #include <dcmtk/dcmdata/dcvrda.h>
 #include <dcmtk/dcmdata/dcvrtm.h>
 
-#include <Eigen/Dense>
-
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <set>
@@ -29,158 +28,7 @@ namespace recon
 {
 namespace
 {
-/// Above what planning systems round the coordinates of tilted contours to, below any slice, mm.
-constexpr double PlanarTolerance = 0.05;
-constexpr std::size_t LongestName = 64;
 constexpr std::size_t LongestLabel = 16;
-
-bool IsClosed(const WrittenContour& contour)
-{
-  return contour.GeometricType == "CLOSED_PLANAR" || contour.GeometricType == "CLOSEDPLANAR_XOR";
-}
-
-/// The largest distance from the plane that fits best (least squares); 0 for what lies in a line.
-double RoughnessOf(const std::vector<Point3>& points)
-{
-  Eigen::MatrixX3d centred(static_cast<Eigen::Index>(points.size()), 3);
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    centred.row(static_cast<Eigen::Index>(i)) << points[i][0], points[i][1], points[i][2];
-  }
-  centred.rowwise() -= centred.colwise().mean().eval();
-  const Eigen::Matrix3d moments = centred.transpose() * centred / double(points.size());
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(moments);
-  return (centred * axes.eigenvectors().col(0)).cwiseAbs().maxCoeff();
-}
-
-class Checker
-{
-public:
-  explicit Checker(std::vector<std::string>& report) : Report(report) {}
-
-  /// Leaves out what is nothing, and makes the types of an ROI agree. @throws Error
-  void Check(WrittenROI& roi, bool exclusiveOr);
-
-private:
-  /// Whether it can be written; noted where it is too little. @throws Error where it is wrong.
-  bool IsContour(const WrittenContour& contour, const std::string& roi);
-
-  std::vector<std::string>& Report;
-};
-
-bool Checker::IsContour(const WrittenContour& contour, const std::string& roi)
-{
-  const std::string where = "ROI \"" + roi + "\", " + contour.Where;
-  for (const Point3& p : contour.Points)
-  {
-    for (const double x : p)
-    {
-      if (!std::isfinite(x))
-      {
-        throw Error("Cannot write " + where + ": a coordinate is not a number.");
-      }
-      if (std::abs(x) > LargestCoordinate)
-      {
-        throw Error("Cannot write " + where +
-          ": a coordinate is beyond 100 km; DICOM's are millimetres of a patient.");
-      }
-    }
-  }
-  const std::size_t least = contour.GeometricType == "POINT" ? 1 : IsClosed(contour) ? 3 : 2;
-  if (contour.Points.size() < least)
-  {
-    this->Report.push_back(where + ": left out, " + std::to_string(contour.Points.size()) +
-      " points are no contour of type " + contour.GeometricType + ".");
-    return false;
-  }
-  if (contour.GeometricType == "OPEN_NONPLANAR")
-  {
-    return true;
-  }
-  const double roughness = RoughnessOf(contour.Points);
-  if (roughness > PlanarTolerance)
-  {
-    throw Error("Cannot write " + where + ": it is not planar, a point lies " +
-      std::to_string(roughness) +
-      " mm off its plane, and DICOM has closed contours in planes only.");
-  }
-  return true;
-}
-
-void Checker::Check(WrittenROI& roi, bool exclusiveOr)
-{
-  std::vector<WrittenContour> kept;
-  for (WrittenContour& contour : roi.Contours)
-  {
-    if (this->IsContour(contour, roi.Description.Name))
-    {
-      kept.push_back(std::move(contour));
-    }
-  }
-  roi.Contours = std::move(kept);
-  // One contour of this kind makes all of its ROI so (PS3.3 C.8.8.6.3).
-  exclusiveOr = exclusiveOr ||
-    std::any_of(roi.Contours.begin(), roi.Contours.end(),
-      [](const WrittenContour& contour) { return contour.GeometricType == "CLOSEDPLANAR_XOR"; });
-  for (WrittenContour& contour : roi.Contours)
-  {
-    if (exclusiveOr && IsClosed(contour))
-    {
-      contour.GeometricType = "CLOSEDPLANAR_XOR";
-    }
-  }
-  if (roi.Contours.empty())
-  {
-    this->Report.push_back("ROI \"" + roi.Description.Name + "\": left out, it has no contours.");
-  }
-}
-
-/// The numbers and names that a file has, which the new ones must not repeat.
-class ROIRegister
-{
-public:
-  void Take(int number, const std::string& name)
-  {
-    this->Numbers.insert(number);
-    this->Names.insert(Folded(name));
-  }
-
-  /// wanted where that is free and not 0, otherwise the next after all.
-  int NewNumber(int wanted)
-  {
-    if (wanted <= 0 || this->Numbers.count(wanted) > 0)
-    {
-      wanted = this->Numbers.empty() ? 1 : std::max(0, *this->Numbers.rbegin()) + 1;
-    }
-    this->Numbers.insert(wanted);
-    return wanted;
-  }
-
-  std::string NewName(const std::string& wanted)
-  {
-    std::string name = wanted;
-    for (int n = 2; !this->Names.insert(Folded(name)).second; ++n)
-    {
-      const std::string suffix = " (" + std::to_string(n) + ")";
-      name = DICOMText(wanted, LongestName - suffix.size()) + suffix;
-    }
-    return name;
-  }
-
-private:
-  /// Some planning systems do not tell upper from lower case.
-  static std::string Folded(std::string name)
-  {
-    for (char& c : name)
-    {
-      c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    }
-    return name;
-  }
-
-  std::set<int> Numbers;
-  std::set<std::string> Names;
-};
 
 std::array<int, 3> ColorOf(const StructureSetROI& roi)
 {
@@ -235,7 +83,7 @@ void Formatter::NameROIs(std::vector<WrittenROI>& rois)
     StructureSetROI& description = roi.Description;
     const std::string given = description.Name;
     description.Number = this->Register.NewNumber(description.Number);
-    const std::string allowed = DICOMText(given, LongestName);
+    const std::string allowed = DICOMText(given, LongestROIName);
     description.Name = this->Register.NewName(
       allowed.empty() ? "ROI " + std::to_string(description.Number) : allowed);
     if (description.Name != given)
@@ -549,10 +397,9 @@ std::vector<std::string> WriteStructureSet(const std::string& fileName,
 {
   const QuietDCMTK quiet;
   std::vector<std::string> report;
-  Checker checker(report);
   for (WrittenROI& roi : rois)
   {
-    checker.Check(roi, options.ExclusiveOr);
+    CheckContours(roi, options.ExclusiveOr, report);
   }
   rois.erase(std::remove_if(rois.begin(), rois.end(),
                [](const WrittenROI& roi) { return roi.Contours.empty(); }),

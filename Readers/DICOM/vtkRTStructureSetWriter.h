@@ -9,7 +9,8 @@
  * `GeometricType` and field data `ROIName`, `ROINumber`, `ROIType`, `ROIColor`,
  * `FrameOfReferenceUID`, as vtkRTStructureSetReader gives them and the filters of this project pass them on, are kept;
  * without the name that of the block is taken. Lines of type OPEN_PLANAR and OPEN_NONPLANAR stay
- * open, and vertices become points where their type is POINT or the block has nothing else.
+ * open (those not as planar as they say become OPEN_NONPLANAR), and vertices become points where
+ * their type is POINT or the block has nothing else.
  *
  * ReferenceFileName gives patient, study, frame of reference and the images that the contours refer
  * to. The file is a structure set of its own: identifiers, date and series are new, its approval

@@ -81,6 +81,7 @@ struct ImageKind
   std::string Series = "1.2.3.8";
   std::string Frame = "1.2.3.9";
   std::string Orientation = "1\\0\\0\\0\\1\\0"; ///< empty for none
+  std::string Type = "ORIGINAL\\PRIMARY\\AXIAL";
   bool Preamble = true;
 };
 
@@ -92,6 +93,7 @@ inline void SaveImage(const std::string& fileName, int slice, const ImageKind& k
   PutPatient(data);
   StructureSetBuilder::Put(data, DCM_SOPClassUID, UID_CTImageStorage);
   StructureSetBuilder::Put(data, DCM_SOPInstanceUID, ImageUID(slice));
+  StructureSetBuilder::Put(data, DCM_ImageType, kind.Type);
   StructureSetBuilder::Put(data, DCM_Modality, "CT");
   StructureSetBuilder::Put(data, DCM_SeriesInstanceUID, kind.Series);
   StructureSetBuilder::Put(data, DCM_FrameOfReferenceUID, kind.Frame);

@@ -72,6 +72,34 @@ TEST_F(ReferenceImages, LocalizersAreLeftOut)
   EXPECT_EQ(images.FileNames.size(), 7u); // which are not to be overwritten all the same
 }
 
+TEST_F(ReferenceImages, LocalizersThatSaySoAreLeftOutHoweverMany)
+{
+  ImageKind across;
+  across.Orientation = "1\\0\\0\\0\\0\\-1";
+  across.Type = "ORIGINAL\\PRIMARY\\LOCALIZER";
+  for (int i = 0; i < 7; ++i)
+  {
+    this->Save("scout" + std::to_string(i), 90 + i, across);
+  }
+  this->ExpectOneLine(this->Read(), { "Localizers", "scout0, scout1, scout2 and 4 more" });
+}
+
+TEST_F(ReferenceImages, CutOffAnywhereAnImageIsASliceOrNamed)
+{
+  const std::string whole = Bytes(this->Name("images/CT4"));
+  int named = 0;
+  for (std::size_t size = 0; size <= whole.size(); ++size)
+  {
+    this->Folder::Write("images/CT4.dcm", whole.substr(0, size));
+    std::filesystem::remove(this->Name("images/CT4"));
+    const recon::ReferenceImages images = this->Read();
+    EXPECT_EQ(images.Slices.size() + images.Report.size(), 5u) << size << " bytes";
+    named += static_cast<int>(images.Report.size());
+  }
+  EXPECT_GT(named, 0);
+  EXPECT_LT(named, static_cast<int>(whole.size()));
+}
+
 TEST_F(ReferenceImages, DirectionsThatDifferByRoundingAreOne)
 {
   ImageKind rounded;

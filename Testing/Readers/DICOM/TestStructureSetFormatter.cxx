@@ -465,6 +465,19 @@ TEST_F(StructureSetFormatter, LeavesOutWhatIsNothingAndSaysSo)
   EXPECT_EQ(recon::StructureSetFile(this->Name("new.dcm")).GetROIs().size(), 1u);
 }
 
+TEST_F(StructureSetFormatter, OpenContoursThatAreNotPlanarAreWrittenAsThat)
+{
+  recon::WrittenROI roi = Square("A", 0);
+  roi.Contours.push_back(
+    { { { 0, 0, 0 }, { 5, 0, 0 }, { 5, 5, 0 }, { 5, 5, 5 } }, "OPEN_PLANAR", "cell 1" });
+  const std::vector<std::string> report = this->Write({ roi });
+  ASSERT_EQ(report.size(), 2u);
+  EXPECT_EQ(report[0].rfind("ROI \"A\", cell 1: written as OPEN_NONPLANAR", 0), 0u) << report[0];
+  recon::StructureSetFile file(this->Name("new.dcm"));
+  EXPECT_EQ(file.ReadContours(0, this->Monitor).GeometricTypes,
+    (std::vector<std::string>{ "CLOSED_PLANAR", "OPEN_NONPLANAR" }));
+}
+
 TEST_F(StructureSetFormatter, NoReferenceSlicesWithoutDrawnPlanes)
 {
   // Series without images are not allowed, and left behind.
