@@ -81,10 +81,10 @@ far = ct.closed_polylines([[(x, y, z) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1
 source = simple.PVTrivialProducer()
 source.GetClientSideObject().SetOutput(far)
 said = lines(ct.data(simple.PolyhedralSurface(Input=source)))
-ct.check(any("spacing" in line for line in said), f"the surface tells of the gap: {said}")
+ct.check(any("apart" in line for line in said), f"the surface tells of the gap: {said}")
 for kind in (simple.JointVoronoiDiagram, simple.ContourTriangulation):
     told = lines(ct.data(kind(Input=source)))
-    ct.check(any("spacing" in line for line in told), f"{kind.__name__} tells of the gap: {told}")
+    ct.check(any("apart" in line for line in told), f"{kind.__name__} tells of the gap: {told}")
 
 # A triangle's group is that of the contours whose points it has.
 for name in ("branching_pipe.cnt", "brain.cnt"):
