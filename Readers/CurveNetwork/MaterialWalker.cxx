@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "CurveNetwork/MaterialWalker.h"
 
+#include "Base/Predicates.h"
+#include "Planar/TurnOrder.h"
+
 #include <algorithm>
 #include <map>
 #include <set>
@@ -9,26 +12,6 @@ namespace recon
 {
 namespace
 {
-constexpr double FullTurn = 6.283185307179586;
-
-/// Any two unit vectors that make a right-handed frame with the normal.
-PlanarFrame FrameOf(const Vector3& normal)
-{
-  int smallest = 0;
-  for (int i = 1; i < 3; ++i)
-  {
-    smallest = std::abs(normal[i]) < std::abs(normal[smallest]) ? i : smallest;
-  }
-  Vector3 axis{ 0, 0, 0 };
-  axis[smallest] = 1;
-  PlanarFrame frame;
-  frame.Normal = normal;
-  frame.U = Cross(axis, normal);
-  frame.U = (1 / Norm(frame.U)) * frame.U;
-  frame.V = Cross(normal, frame.U);
-  return frame;
-}
-
 /// One side of an edge, walked with the material to the left.
 struct HalfEdge
 {
@@ -62,25 +45,25 @@ public:
 
   /// Clockwise from where one came from: the next edge there bounds the same corner of the
   /// material.
-  template <typename Angle>
-  int NextAfter(int from, int at, Angle angleOf) const
+  int NextAfter(int from, int at, const std::vector<Point2>& points) const
   {
     const auto found = this->Outgoing.find(at);
     int best = -1;
-    double smallest = 0;
     for (const int candidate : found == this->Outgoing.end() ? std::vector<int>() : found->second)
     {
-      if (this->All[static_cast<std::size_t>(candidate)].Used)
+      const HalfEdge& half = this->All[static_cast<std::size_t>(candidate)];
+      if (half.Used)
       {
         continue;
       }
-      const int to = this->All[static_cast<std::size_t>(candidate)].To;
-      double turn = from < 0 ? 0 : angleOf(at, from) - angleOf(at, to);
-      turn += turn <= 0 ? FullTurn : 0; // straight back is the last choice
-      if (best < 0 || turn < smallest)
+      // Where a walk begins, any will do.
+      if (best < 0 ||
+        (from >= 0 &&
+          ComesFirstClockwise(points[static_cast<std::size_t>(at)],
+            points[static_cast<std::size_t>(from)], points[static_cast<std::size_t>(half.To)],
+            points[static_cast<std::size_t>(this->All[static_cast<std::size_t>(best)].To)])))
       {
         best = candidate;
-        smallest = turn;
       }
     }
     return best;
@@ -98,18 +81,11 @@ MaterialWalker::MaterialWalker(
   const Vector3& normal, const std::vector<Point3>& vertices, const std::vector<NetworkEdge>& edges)
   : Edges(edges)
 {
-  const PlanarFrame frame = FrameOf(normal);
+  const PlanarFrame frame = PlanarFrame::About(normal);
   for (const Point3& vertex : vertices)
   {
     this->Planar.push_back(frame.ToPlane(vertex));
   }
-}
-
-double MaterialWalker::AngleOf(int from, int to) const
-{
-  const Point2& a = this->Planar[static_cast<std::size_t>(from)];
-  const Point2& b = this->Planar[static_cast<std::size_t>(to)];
-  return std::atan2(b[1] - a[1], b[0] - a[0]);
 }
 
 bool MaterialWalker::SwapSidesWhereZeroIsInside()
@@ -127,22 +103,22 @@ bool MaterialWalker::SwapSidesWhereZeroIsInside()
       }
     }
   }
-  // All edges at the extreme vertex run to its left; counterclockwise from straight to the right,
-  // the first of them has the open wedge on its right-hand side.
+  // All edges at the extreme vertex run to its left or straight down; counterclockwise from straight
+  // to the right, the first of them has the open wedge on its right-hand side.
   const NetworkEdge* first = nullptr;
-  double smallest = 0;
+  const auto other = [extreme](const NetworkEdge& edge)
+  { return static_cast<std::size_t>(edge.From == extreme ? edge.To : edge.From); };
   for (const NetworkEdge& edge : this->Edges)
   {
     if (edge.From != extreme && edge.To != extreme)
     {
       continue;
     }
-    double angle = this->AngleOf(extreme, edge.From == extreme ? edge.To : edge.From);
-    angle += angle < 0 ? FullTurn : 0;
-    if (!first || angle < smallest)
+    if (!first ||
+      Orientation2(this->Planar[static_cast<std::size_t>(extreme)], this->Planar[other(edge)],
+        this->Planar[other(*first)]) > 0)
     {
       first = &edge;
-      smallest = angle;
     }
   }
   if (!first)
@@ -188,7 +164,6 @@ std::vector<MaterialWalk> MaterialWalker::Walk(int material) const
       halves.Add(edge.To, edge.From);
     }
   }
-  const auto angleOf = [this](int from, int to) { return this->AngleOf(from, to); };
   std::vector<MaterialWalk> walks;
   const auto walkFrom = [&](int half, bool isOpen)
   {
@@ -202,7 +177,7 @@ std::vector<MaterialWalk> MaterialWalker::Walk(int material) const
       walk.Vertices.push_back(current.From);
       from = current.From;
       const int at = current.To;
-      half = !isOpen && at == start ? -1 : halves.NextAfter(from, at, angleOf);
+      half = !isOpen && at == start ? -1 : halves.NextAfter(from, at, this->Planar);
       if (half < 0)
       {
         walk.Closed = at == start;
@@ -216,7 +191,7 @@ std::vector<MaterialWalk> MaterialWalker::Walk(int material) const
   };
   for (const int vertex : halves.OpenStarts())
   {
-    const int half = halves.NextAfter(-1, vertex, angleOf);
+    const int half = halves.NextAfter(-1, vertex, this->Planar);
     if (half >= 0)
     {
       walkFrom(half, true);

@@ -30,6 +30,7 @@ struct MaterialWalk
 class MaterialWalker
 {
 public:
+  /// @param normal of unit length
   /// @param edges none from a vertex to itself, none with one material on both sides
   MaterialWalker(const Vector3& normal, const std::vector<Point3>& vertices,
     const std::vector<NetworkEdge>& edges);
@@ -50,8 +51,6 @@ public:
   std::vector<MaterialWalk> Walk(int material) const;
 
 private:
-  double AngleOf(int from, int to) const;
-
   std::vector<Point2> Planar;
   std::vector<NetworkEdge> Edges;
 };

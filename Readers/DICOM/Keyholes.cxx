@@ -2,6 +2,8 @@
 #include "DICOM/Keyholes.h"
 
 #include "Base/DisjointSets.h"
+#include "Base/Predicates.h"
+#include "Planar/TurnOrder.h"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -42,21 +44,16 @@ private:
     int Contour; ///< index into Contours
   };
 
-  Point At(int point) const
+  const Point2& At(int point) const { return this->Set.Planar[static_cast<std::size_t>(point)]; }
+  int Turn(int a, int b, int c) const
   {
-    const Point2& p = this->Set.Planar[static_cast<std::size_t>(point)];
-    return Point(p[0], p[1]);
-  }
-  CGAL::Orientation Turn(int a, int b, int c) const
-  {
-    return CGAL::orientation(this->At(a), this->At(b), this->At(c));
+    return Orientation2(this->At(a), this->At(b), this->At(c));
   }
 
   void AddEdges();
   void AddBridges();
   bool IsInside(int from, int to) const;
   bool IsBetween(const Corner& corner, int at, int to) const;
-  bool ComesFirst(int at, int from, int a, int b) const;
   int Next(int from, int at) const;
 
   const ContourSet& Set;
@@ -84,9 +81,9 @@ void Region::AddEdges()
 /// Whether the direction to a point lies strictly in the corner, which has the region on its left.
 bool Region::IsBetween(const Corner& corner, int at, int to) const
 {
-  const bool leftOfBefore = this->Turn(corner.Before, at, to) == CGAL::LEFT_TURN;
-  const bool leftOfAfter = this->Turn(at, corner.After, to) == CGAL::LEFT_TURN;
-  const bool isConvex = this->Turn(corner.Before, at, corner.After) == CGAL::LEFT_TURN;
+  const bool leftOfBefore = this->Turn(corner.Before, at, to) > 0;
+  const bool leftOfAfter = this->Turn(at, corner.After, to) > 0;
+  const bool isConvex = this->Turn(corner.Before, at, corner.After) > 0;
   return isConvex ? leftOfBefore && leftOfAfter : leftOfBefore || leftOfAfter;
 }
 
@@ -104,7 +101,7 @@ void Region::AddBridges()
   std::map<int, Triangulation::Vertex_handle> vertices;
   for (const auto& [point, corners] : this->Corners)
   {
-    vertices[point] = triangulation.insert(this->At(point));
+    vertices[point] = triangulation.insert(Point(this->At(point)[0], this->At(point)[1]));
     vertices[point]->info() = point;
   }
   DisjointSets connected(this->Contours.size());
@@ -127,8 +124,9 @@ void Region::AddBridges()
     const int b = edge.first->vertex(Triangulation::ccw(edge.second))->info();
     if (this->IsInside(a, b) && this->IsInside(b, a))
     {
-      candidates.emplace_back(
-        CGAL::squared_distance(this->At(a), this->At(b)), std::min(a, b), std::max(a, b));
+      candidates.emplace_back(CGAL::squared_distance(Point(this->At(a)[0], this->At(a)[1]),
+                                Point(this->At(b)[0], this->At(b)[1])),
+        std::min(a, b), std::max(a, b));
     }
   }
   std::sort(candidates.begin(), candidates.end());
@@ -145,25 +143,12 @@ void Region::AddBridges()
   }
 }
 
-/// Whether a is met before b on turning clockwise about a point, from the direction to another.
-bool Region::ComesFirst(int at, int from, int a, int b) const
-{
-  // Quarters of the turn: less than half, half, more than half, the whole.
-  const auto quarter = [&](int to)
-  {
-    const CGAL::Orientation turn = this->Turn(at, from, to);
-    return to == from ? 3 : turn == CGAL::RIGHT_TURN ? 0 : turn == CGAL::COLLINEAR ? 1 : 2;
-  };
-  const int ofA = quarter(a);
-  const int ofB = quarter(b);
-  return ofA != ofB ? ofA < ofB : this->Turn(at, a, b) == CGAL::RIGHT_TURN;
-}
-
 int Region::Next(int from, int at) const
 {
   const std::vector<int>& ends = this->Outgoing.at(at);
-  return *std::min_element(
-    ends.begin(), ends.end(), [&](int a, int b) { return this->ComesFirst(at, from, a, b); });
+  return *std::min_element(ends.begin(), ends.end(),
+    [&](int a, int b)
+    { return ComesFirstClockwise(this->At(at), this->At(from), this->At(a), this->At(b)); });
 }
 
 std::vector<std::vector<int>> Region::Walks()

@@ -3,6 +3,7 @@
 
 #include "Base/Monitor.h"
 #include "Base/Predicates.h"
+#include "Planar/TurnOrder.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -95,19 +96,10 @@ private:
   /// Exact order by angle, starting at the direction straight down (exclusive).
   void SortFan(int p)
   {
-    const Point2& o = this->Points[Index(p)];
-    // Right of o in the order of points: angles from straight down (exclusive) to straight up.
-    const auto right = [&](int e) { return o < this->Points[Index(this->Other(e, p))]; };
     const auto before = [&](int e, int f)
     {
-      const bool rightE = right(e);
-      const bool rightF = right(f);
-      if (rightE != rightF)
-      {
-        return rightE;
-      }
-      return Orientation2(o, this->Points[Index(this->Other(e, p))],
-               this->Points[Index(this->Other(f, p))]) > 0;
+      return ComesFirstFromBelow(this->Points[Index(p)], this->Points[Index(this->Other(e, p))],
+        this->Points[Index(this->Other(f, p))]);
     };
     std::sort(this->Fan.begin() + this->First[Index(p)],
       this->Fan.begin() + this->First[Index(p) + 1], before);
