@@ -6,7 +6,7 @@
 #ifndef recon_EdgeTree_h
 #define recon_EdgeTree_h
 
-#include "Base/Geometry.h"
+#include "Planar/PlanarSegment.h"
 
 #include <functional>
 #include <memory>
@@ -14,12 +14,6 @@
 
 namespace recon
 {
-struct PlanarSegment
-{
-  Point2 A;
-  Point2 B;
-};
-
 /// Whether two segments have a point in common; exact.
 bool Meet(const PlanarSegment& a, const PlanarSegment& b);
 

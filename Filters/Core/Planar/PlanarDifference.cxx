@@ -109,16 +109,16 @@ private:
     {
       for (int k = 0; k < 2; ++k)
       {
-        low[k] = std::min({ low[k], segment.From[k], segment.To[k] });
-        high[k] = std::max({ high[k], segment.From[k], segment.To[k] });
+        low[k] = std::min({ low[k], segment.A[k], segment.B[k] });
+        high[k] = std::max({ high[k], segment.A[k], segment.B[k] });
       }
     }
     const Point2 middle{ 0.5 * low[0] + 0.5 * high[0], 0.5 * low[1] + 0.5 * high[1] };
     this->Negligible = 1e-14 * (high[0] - low[0]);
     for (const auto& segment : regions.Segments)
     {
-      const Point2 from{ segment.From[0] - middle[0], segment.From[1] - middle[1] };
-      const Point2 to{ segment.To[0] - middle[0], segment.To[1] - middle[1] };
+      const Point2 from{ segment.A[0] - middle[0], segment.A[1] - middle[1] };
+      const Point2 to{ segment.B[0] - middle[0], segment.B[1] - middle[1] };
       if (from[1] < to[1])
       {
         this->Segments.push_back({ from, to, 1, segment.Layer });
@@ -211,8 +211,8 @@ bool IsClosed(const PlanarRegions& regions, PlanarRegions::LayerType layer)
   {
     if (segment.Layer == layer)
     {
-      ends.push_back(segment.From);
-      ends.push_back(segment.To);
+      ends.push_back(segment.A);
+      ends.push_back(segment.B);
     }
   }
   std::sort(ends.begin(), ends.end());

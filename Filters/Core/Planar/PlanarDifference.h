@@ -6,7 +6,7 @@
 #ifndef recon_PlanarDifference_h
 #define recon_PlanarDifference_h
 
-#include "Base/Geometry.h"
+#include "Planar/PlanarSegment.h"
 
 #include <array>
 #include <vector>
@@ -23,10 +23,8 @@ struct PlanarRegions
     InPlane, ///< nonzero winding; faces that lie in the plane, all counterclockwise
     Contour  ///< even-odd
   };
-  struct Segment
+  struct Segment : PlanarSegment
   {
-    Point2 From;
-    Point2 To;
     LayerType Layer;
   };
   std::vector<Segment> Segments;
@@ -43,7 +41,8 @@ struct PlanarDifference
 };
 
 /**
- * A sweep over strips between consecutive ordinates, split where segments cross.
+ * Apart from the arrangement of a level (Arrangement.h), as only areas are asked for, and as borders
+ * of a surface may be open. A sweep over strips between consecutive ordinates, split where segments cross.
  *
  * No intersection point becomes a vertex, so there is no topology that rounding could break: what
  * rounding moves is the border of a trapezium, by less than some 1e-13 of the extent, and the area

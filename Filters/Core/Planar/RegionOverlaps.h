@@ -26,7 +26,9 @@ struct RegionOverlap
  *
  * One triangulation of all edges of both levels: its faces lie in one region of either level, so
  * the areas are sums of triangles, and the cost is that of the triangulation, whatever the number
- * of regions. Crossings are exact; rounding comes in where the area of a triangle is computed,
+ * of regions. Apart from the arrangement of one level (Arrangement.h), which rounds its crossings:
+ * here walls of different levels may lie upon one another, and all stay as they are. Crossings are
+ * exact; rounding comes in where the area of a triangle is computed,
  * which is some 1e-16 of it.
  *
  * @pre both levels have the same frame

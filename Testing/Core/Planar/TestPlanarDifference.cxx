@@ -42,7 +42,7 @@ TEST(PlanarDifference, NothingOfEqualRegions)
 TEST(PlanarDifference, OpenBordersAreSaid)
 {
   PlanarRegions regions;
-  regions.Segments.push_back({ { 0, 0 }, { 1, 1 }, PlanarRegions::Below });
+  regions.Segments.push_back({ { { 0, 0 }, { 1, 1 } }, PlanarRegions::Below });
   EXPECT_FALSE(MeasurePlanarDifference(regions).SurfaceIsClosed);
 }
 }
