@@ -12,7 +12,7 @@
  * Reading and cleaning the contours is not counted. Build it in Release.
  */
 #include "Contours/ContourSetBuilder.h"
-#include "CurveNetwork/CurveNetworkParser.h"
+#include "CurveNetwork/CSLParser.h"
 #include "DICOM/StructureSetFile.h"
 #include "NUAGES/NUAGESParser.h"
 #include "Polyhedral/PolyhedralStages.h"
