@@ -198,6 +198,7 @@ ContourPoints GetContourPoints(DcmItem& contour)
       double value = 0;
       if (!ParseNumber(text, value) && result.Fault.empty())
       {
+        result.HasNumbers = false;
         result.Fault = "expected a number as value " + std::to_string(values + 1) + " of " +
           TagName(DCM_ContourData) + ", found " + Quoted(text);
       }

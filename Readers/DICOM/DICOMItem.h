@@ -87,6 +87,7 @@ struct ContourPoints
   /// Of data that are not whole triples of numbers: what was expected. Completes "it cannot be
   /// used: ".
   std::string Fault;
+  bool HasNumbers = true; ///< of such data, whether at least each value is a number
 };
 
 /// The points of an item of a contour sequence. A backslash behind the last number is passed over,

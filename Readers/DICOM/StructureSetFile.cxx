@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "DICOM/StructureSetFile.h"
 
+#include "Base/Text.h"
 #include "DICOM/DICOMCharacterSet.h"
 #include "DICOM/DICOMItem.h"
 
@@ -37,6 +38,56 @@ bool IsKnown(const std::string& geometricType)
   return ShapeOf(geometricType) != Shape::Closed || geometricType == "CLOSED_PLANAR" ||
     geometricType == "CLOSEDPLANAR_XOR";
 }
+}
+
+namespace
+{
+/// What may be odd about a contour, the most important first.
+enum class Oddity
+{
+  NoNumber,
+  NoTriples,
+  NoData,
+  UnknownType,
+  OtherCount
+};
+
+/// A line a kind, however many contours have it.
+class ContourOddities
+{
+public:
+  explicit ContourOddities(const std::string& roi) : ROI(roi) {}
+
+  /// what completes "ROI "Lung", contour 3: "
+  void Add(Oddity kind, int contour, const std::string& what)
+  {
+    Found& found = this->Kinds[kind];
+    found.Contours.push_back(contour);
+    found.What = found.Contours.size() == 1 ? what : found.What;
+  }
+
+  std::vector<std::string> Lines() const
+  {
+    constexpr std::size_t most = 3;
+    std::vector<std::string> lines;
+    for (const auto& [kind, found] : this->Kinds)
+    {
+      const std::size_t count = found.Contours.size();
+      lines.push_back(this->ROI + ", contour" + (count > 1 ? "s " : " ") +
+        Listed(found.Contours, most) + ": " + found.What + (count > 1 ? " (the first)." : "."));
+    }
+    return lines;
+  }
+
+private:
+  struct Found
+  {
+    std::vector<int> Contours;
+    std::string What; ///< of the first
+  };
+  std::string ROI;
+  std::map<Oddity, Found> Kinds;
+};
 }
 
 class StructureSetFile::Internals
@@ -84,9 +135,9 @@ private:
   std::string NameOf(int index) const { return "ROI \"" + this->ROIs[index].Name + "\""; }
   /// The sequence, or nullptr where there is none; other things under its tag are an error.
   DcmSequenceOfItems* FindSequence(const DcmTagKey& key);
-  /// Adds an item of a contour sequence to the soup; where names it in sentences.
+  /// Adds an item of a contour sequence to the soup, counted from 0.
   void AddContour(
-    DcmItem& item, int source, const std::string& where, StructureSetContours& contours) const;
+    DcmItem& item, int source, ContourOddities& oddities, StructureSetContours& contours) const;
 
   std::string FileName;
   DcmFileFormat File;
@@ -342,32 +393,35 @@ void StructureSetFile::Internals::MakeNamesUnique()
 }
 
 void StructureSetFile::Internals::AddContour(
-  DcmItem& item, int source, const std::string& where, StructureSetContours& contours) const
+  DcmItem& item, int source, ContourOddities& oddities, StructureSetContours& contours) const
 {
-  std::vector<std::string>& report = contours.File.Report;
+  const int number = source + 1;
   const ContourPoints points = GetContourPoints(item);
   if (!points.Fault.empty())
   {
-    report.push_back(where + ": left out, " + points.Fault + ".");
+    oddities.Add(points.HasNumbers ? Oddity::NoTriples : Oddity::NoNumber, number,
+      "left out, " + points.Fault);
     return;
   }
   if (points.Points.empty())
   {
-    report.push_back(where + ": left out, it has no contour data.");
+    oddities.Add(Oddity::NoData, number, "left out, it has no contour data");
     return;
   }
   int announced = 0;
   if (GetNumber(item, DCM_NumberOfContourPoints, announced) &&
     announced != static_cast<int>(points.Points.size()))
   {
-    report.push_back(where + ": announces " + std::to_string(announced) + " points and has " +
-      std::to_string(points.Points.size()) + "; all of these were read.");
+    oddities.Add(Oddity::OtherCount, number,
+      "announces " + std::to_string(announced) + " points and has " +
+        std::to_string(points.Points.size()) + "; all of these were read");
   }
   const std::string type = GetText(item, DCM_ContourGeometricType);
   if (!IsKnown(type))
   {
-    report.push_back(where + ": its geometric type " + Quoted(type) +
-      " is none that DICOM knows; it was taken for a closed contour.");
+    oddities.Add(Oddity::UnknownType, number,
+      "its geometric type " + Quoted(type) +
+        " is none that DICOM knows; it was taken for a closed contour");
   }
   LoopSoup& soup = contours.File.Soup;
   const Shape shape = ShapeOf(type);
@@ -403,12 +457,13 @@ StructureSetContours StructureSetFile::Internals::ReadContours(int index, Monito
     return result;
   }
   const std::vector<DcmItem*>& items = this->ContourItems[index];
+  ContourOddities oddities(this->NameOf(index));
   for (std::size_t i = 0; i < items.size(); ++i)
   {
     monitor.Update(static_cast<double>(i) / static_cast<double>(items.size()), "reading contours");
-    this->AddContour(*items[i], static_cast<int>(i),
-      this->NameOf(index) + ", contour " + std::to_string(i + 1), result);
+    this->AddContour(*items[i], static_cast<int>(i), oddities, result);
   }
+  result.File.Report = oddities.Lines();
   if (items.empty())
   {
     result.File.Report.push_back(this->NameOf(index) + ": it has no contours.");

@@ -249,6 +249,27 @@ TEST_F(StructureSet, MalformedContourCostsThatContour)
   }
 }
 
+TEST_F(StructureSet, OneLineAKindHoweverManyContours)
+{
+  StructureSetBuilder builder;
+  builder.AddROI(1, "A");
+  for (int i = 0; i < 10; ++i)
+  {
+    builder.AddContour("CLOSED_PLANAR", Triangle, 4);
+    builder.AddContour("CLOSED_PLANAR", "0\\0\\x" + std::to_string(i), 1);
+  }
+  builder.Save(this->Name("a.dcm"));
+  recon::StructureSetFile file(this->Name("a.dcm"));
+  const std::vector<std::string> report = this->Contours(file).File.Report;
+  ASSERT_EQ(report.size(), 2u);
+  EXPECT_EQ(report[0],
+    "ROI \"A\", contours 2, 4, 6 and 7 more: left out, expected a number as value 3 of ContourData "
+    "(3006,0050), found 'x0' (the first).");
+  EXPECT_EQ(report[1],
+    "ROI \"A\", contours 1, 3, 5 and 7 more: announces 4 points and has 3; all of these were read "
+    "(the first).");
+}
+
 TEST_F(StructureSet, LastBackslashIsReadAsMeant)
 {
   for (const char* end : { "\\", "\\ ", " \\\\" })
@@ -340,9 +361,9 @@ TEST_F(StructureSet, ReportsWhatItReadAround)
   EXPECT_NE(file.GetReport()[1].find("(3006,0080) is missing"), std::string::npos);
   const recon::StructureSetContours contours = this->Contours(file);
   ASSERT_EQ(contours.File.Report.size(), 2u);
-  EXPECT_EQ(contours.File.Report[0],
+  EXPECT_EQ(contours.File.Report[0], "ROI \"A\", contour 2: left out, it has no contour data.");
+  EXPECT_EQ(contours.File.Report[1],
     "ROI \"A\", contour 1: announces 5 points and has 3; all of these were read.");
-  EXPECT_EQ(contours.File.Report[1], "ROI \"A\", contour 2: left out, it has no contour data.");
 }
 
 TEST_P(RealStructureSet, HasTheCountsOfItsTable)
