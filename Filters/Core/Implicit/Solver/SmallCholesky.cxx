@@ -3,6 +3,8 @@
 
 #include "Base/SimdClones.h"
 
+#include <Eigen/Dense>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -140,30 +142,13 @@ bool FactoriseSmall(double* a, int size)
   return true;
 }
 
-RECON_CLONES_FUSED void SolveTransposed(const double* factor, int size, int last, double* x)
+void SolveTransposed(const double* factor, int size, int last, double* x)
 {
-  for (int i = last; i >= 0; --i)
-  {
-    const double* column = factor + static_cast<std::size_t>(i) * size;
-    double sum[SolvedTogether];
-    for (int l = 0; l < SolvedTogether; ++l)
-    {
-      sum[l] = x[i * SolvedTogether + l];
-    }
-    for (int k = i + 1; k <= last; ++k)
-    {
-      const double f = column[k];
-      for (int l = 0; l < SolvedTogether; ++l)
-      {
-        sum[l] -= f * x[k * SolvedTogether + l];
-      }
-    }
-    const double inverse = 1 / column[i];
-    for (int l = 0; l < SolvedTogether; ++l)
-    {
-      x[i * SolvedTogether + l] = sum[l] * inverse;
-    }
-  }
+  using Factor = Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
+  using RightSides = Eigen::Matrix<double, Eigen::Dynamic, SolvedTogether, Eigen::RowMajor>;
+  const Factor lower(factor, last + 1, last + 1, Eigen::OuterStride<>(size));
+  Eigen::Map<RightSides> right(x, last + 1, SolvedTogether);
+  lower.triangularView<Eigen::Lower>().transpose().solveInPlace(right);
 }
 
 RECON_CLONES_FUSED double DotOf(const double* a, const double* b, int count)

