@@ -20,7 +20,6 @@ import glob
 import os
 import re
 import subprocess
-import sys
 
 SHARED = os.environ.get("CONTOUR_SHARED_DATA", os.path.join(os.environ.get("CONTOUR_SOURCE_DIR", "."), "..", "shared", "data"))
 HEAD = ("file", "ROI", "planes", "contours drawn", "traced", "planes of another number", "largest difference %",

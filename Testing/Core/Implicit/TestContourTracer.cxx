@@ -53,6 +53,25 @@ TEST(ContourTracer, CirclesOfASphereOnParallelPlanes)
   }
 }
 
+TEST(ContourTracer, ContoursOfAFewCellsKeepTheirArea)
+{
+  // A circle of radius 1.4 in cells of 1, whose chords alone would lose a tenth of it.
+  TracerOptions options;
+  options.CellSize = 1;
+  const double z = 10 - 0.1;
+  Monitor monitor;
+  const ContourSet set = TraceContours(Ball().Function, SeedsOf(Ball().Contours),
+    ParallelPlanes({ 0, 0, 1 }, 500 + z, 500 + z, 1), options, monitor);
+  TracerOptions fine;
+  fine.CellSize = 0.1;
+  const ContourSet truth = TraceContours(Ball().Function, SeedsOf(Ball().Contours),
+    ParallelPlanes({ 0, 0, 1 }, 500 + z, 500 + z, 1), fine, monitor);
+  ASSERT_EQ(set.Contours.size(), 1u);
+  ASSERT_EQ(truth.Contours.size(), 1u);
+  const double area = truth.Contours.front().SignedArea;
+  EXPECT_NEAR(set.Contours.front().SignedArea, area, 0.03 * area);
+}
+
 TEST(ContourTracer, AnyPlaneAndExactOffsets)
 {
   const TracePlane tilted{ FrameAbout({ 1, 2, -0.5 }),

@@ -19,6 +19,11 @@ namespace
 /// Roots nearer to the one before than this part of a cell are left out: they say nothing but make
 /// slivers.
 constexpr double NearRoots = 0.05;
+/// Loops of fewer points are small beside the grid's squares: they get points half way between.
+constexpr std::size_t FewPoints = 64;
+/// A point half way moves by at most this part of its chord, in so many steps of Newton's.
+constexpr double MostMove = 0.25;
+constexpr int HalfWaySteps = 2;
 
 /// The three kinds of edges of a grid of squares with one diagonal, by the offset of their far end.
 constexpr int EdgeOffsets[3][2] = { { 1, 0 }, { 0, 1 }, { 1, 1 } };
@@ -116,13 +121,49 @@ public:
       // An open end is where the zero set leaves the surroundings of the surface: a phantom sheet.
       if (at == static_cast<int>(start) && loop.size() >= 3)
       {
-        loops.push_back(std::move(loop));
+        loops.push_back(loop.size() < FewPoints ? this->WithHalfWays(loop) : std::move(loop));
       }
     }
     return loops;
   }
 
 private:
+  /// A point between each two, on the contour: its chords would cut off too much of a small one.
+  std::vector<Point3> WithHalfWays(const std::vector<Point3>& loop) const
+  {
+    const std::size_t n = loop.size();
+    const Vector3& normal = this->Grid.Plane.Frame.Normal;
+    std::vector<Point3> chords;
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      chords.push_back(0.5 * loop[i] + 0.5 * loop[(i + 1) % n]);
+    }
+    std::vector<Point3> middles = chords;
+    for (int step = 0; step < HalfWaySteps; ++step)
+    {
+      std::vector<double> g;
+      std::vector<Vector3> slopes;
+      this->Field.Evaluate(middles, g, slopes);
+      for (std::size_t i = 0; i < n; ++i)
+      {
+        const Vector3 slope = slopes[i] - Dot(slopes[i], normal) * normal;
+        const double steep = Dot(slope, slope);
+        middles[i] = steep > 0 ? middles[i] - (g[i] / steep) * slope : middles[i];
+      }
+    }
+    std::vector<Point3> more;
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      more.push_back(loop[i]);
+      const double chord = Norm(loop[(i + 1) % n] - loop[i]);
+      if (Norm(middles[i] - chords[i]) <= MostMove * chord)
+      {
+        more.push_back(middles[i]);
+      }
+    }
+    return more;
+  }
+
   void AppendPoint(const Point3& p, std::vector<Point3>& loop) const
   {
     const double least = NearRoots * this->Grid.Cell;
