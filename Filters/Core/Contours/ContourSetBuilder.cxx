@@ -184,6 +184,7 @@ private:
         rings, { l }, std::string("lies within solid by the ") + NameOf(rule) + " rule; left out");
     }
     found.Swallowed = result.Swallowed.size();
+    this->LeaveOutThinRings(rings, result);
     this->AddContours(plane, rings, result, rule, found);
   }
 
@@ -204,6 +205,25 @@ private:
     {
       rings.Loops.erase(rings.Loops.begin() + twin->Loop);
       rings.Rings.erase(rings.Rings.begin() + twin->Loop);
+    }
+  }
+
+  /// A contour that goes around several times, hardly beside itself, is rings by even-odd; what was
+  /// meant is what it goes around.
+  void LeaveOutThinRings(const PlanarRings& rings, EvenOddResult& result)
+  {
+    std::vector<std::vector<int>> loops;
+    for (const EvenOddResult::Loop& loop : result.Loops)
+    {
+      loops.push_back(loop.Points);
+    }
+    const std::vector<double> units(loops.size(), 0);
+    const std::vector<LoopTwin> twins = FindLoopTwins(rings.Points, loops, units, false);
+    for (auto twin = twins.rbegin(); twin != twins.rend(); ++twin)
+    {
+      this->NoteLoops(rings, { result.Loops[Index(twin->Loop)].Origin },
+        "goes around once more within " + Text(twin->Apart) + " of another; left out");
+      result.Loops.erase(result.Loops.begin() + twin->Loop);
     }
   }
 

@@ -178,6 +178,25 @@ TEST(LoopTwins, EvenOddByDefinitionKeepsWhatIsTracedAgain)
   EXPECT_LT(SolidArea(maker.Build()), 2);
 }
 
+TEST(LoopTwins, ASpiralHardlyBesideItselfIsOneDisc)
+{
+  for (int turns : { 2, 3, 6 })
+  {
+    std::vector<Point2> spiral;
+    for (int i = 0; i <= turns * 40; ++i)
+    {
+      const double angle = 2 * 3.14159265358979323846 * i / 40;
+      const double radius = 5 + 1e-5 * i / 40;
+      spiral.push_back({ radius * std::cos(angle), radius * std::sin(angle) });
+    }
+    const ContourSet set = SoupMaker().Loop(spiral).Build();
+    CheckContourSet(set, 0);
+    ASSERT_EQ(set.Contours.size(), 1u) << turns;
+    EXPECT_NEAR(SolidArea(set), 78.22, 0.01);
+    EXPECT_TRUE(Reports(set, "goes around once more within"));
+  }
+}
+
 TEST(LoopTwins, UnitsOfNumbers)
 {
   EXPECT_EQ(UnitOf({ 1, -20, 300 }), 1);
