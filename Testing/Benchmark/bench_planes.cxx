@@ -3,13 +3,14 @@
  * @file bench_planes.cxx
  * @brief Does the implicit surface have, on every drawn plane, the contours that were drawn there?
  *
- *   bench_planes [--plain] [--points N] FILE ...
+ *   bench_planes [--plain] [--points N] [--depth CELLS] [--area PART] [--waist PART] FILE ...
  *
  * A line an ROI (or set) of parallel contours, tab-separated: file, ROI, planes, contours drawn,
  * traced, planes with another number of contours, the largest symmetric difference of a plane in
  * per cent of its drawn area (where, and that area), volume of the implicit surface, of the polyhedral one with HalfSlice
  * ends, seconds, constraints, the lines of Report that the drawn planes made. --plain: as if only
- * contours told anything. --points: ROIs of more points are left out.
+ * contours told anything. --points: ROIs of more points are left out. --depth, --area, --waist:
+ * SectionTolerances (Constraints.h), to see what their values are worth.
  *
  * Contours of less than 3 square units do not count.
  */
@@ -154,12 +155,13 @@ double VolumeOf(const TriangleMesh& mesh)
 }
 
 void Measure(const std::string& file, const std::string& name, const ContourSet& drawn, bool plain,
-  const ContourSet& parallel)
+  const ContourSet& parallel, const SectionTolerances& tolerances)
 {
   Monitor monitor;
   ImplicitSurfaceOptions options;
   options.Constraints.FollowDrawnPlanes = !plain;
   options.Constraints.FillLongEdges = !plain;
+  options.Constraints.Sections = tolerances;
   options.Polygonizer.CleanUp = false;
   const auto start = std::chrono::steady_clock::now();
   const ImplicitSurface surface = BuildImplicitSurface(drawn, options, monitor);
@@ -205,8 +207,18 @@ int main(int argc, char** argv)
 {
   bool plain = false;
   std::size_t most = static_cast<std::size_t>(-1);
+  SectionTolerances tolerances;
+  const std::pair<const char*, double*> settable[] = { { "--depth", &tolerances.Depth },
+    { "--area", &tolerances.Area }, { "--waist", &tolerances.WaistArea } };
   for (int i = 1; i < argc; ++i)
   {
+    const auto* set = std::find_if(std::begin(settable), std::end(settable),
+      [&](const auto& option) { return std::strcmp(argv[i], option.first) == 0; });
+    if (set != std::end(settable) && i + 1 < argc)
+    {
+      *set->second = std::strtod(argv[++i], nullptr);
+      continue;
+    }
     if (std::strcmp(argv[i], "--plain") == 0)
     {
       plain = true;
@@ -230,7 +242,7 @@ int main(int argc, char** argv)
           continue;
         }
         Measure(std::filesystem::path(argv[i]).filename().string(), name, drawn, plain,
-          BuildContourSet(soup, ContourSetOptions(), monitor));
+          BuildContourSet(soup, ContourSetOptions(), monitor), tolerances);
       }
       catch (const std::exception& error)
       {

@@ -26,6 +26,14 @@ struct EmptyPlane
   double Offset = 0;         ///< along Normal
 };
 
+/// What makes a disagreement worth constraints. Lengths are parts of a cell, areas of what is drawn.
+struct SectionTolerances
+{
+  double Depth = 1;       ///< a place so far from all contours of its plane is on the wrong side
+  double Area = 0.015;    ///< so much of a plane's drawn area is, in all
+  double WaistArea = 0.3; ///< so much of a hole, or of a branch, is filled, or gone, between planes
+};
+
 struct ConstraintOptions
 {
   enum ModeType
@@ -72,6 +80,7 @@ struct ConstraintOptions
   /// Where all planes are parallel and values are distances: add constraints where the function is
   /// on another side than what was drawn (DrawnSections.h), until it is not, as far as that goes.
   bool FollowDrawnPlanes = true;
+  SectionTolerances Sections; ///< of FollowDrawnPlanes
   /// Further planes on which nothing was drawn, though it was looked at: for FollowDrawnPlanes.
   std::vector<EmptyPlane> EmptyPlanes;
 };

@@ -18,7 +18,8 @@ public:
     const FunctionOptions& functionOptions, ContourFit& fit)
     : Result(fit),
       Function(functionOptions),
-      Sections(drawn, constraintOptions.EmptyPlanes, ChooseCellSize(PlacesOf(drawn), 0)),
+      Sections(drawn, constraintOptions.EmptyPlanes, ChooseCellSize(PlacesOf(drawn), 0),
+        constraintOptions.Sections),
       MostPlaces(drawn.Points.size() + LeastPlaces)
   {
   }

@@ -22,14 +22,6 @@
 
 namespace recon
 {
-/// What makes a disagreement worth constraints. Lengths are parts of a cell, areas of what is drawn.
-struct SectionTolerances
-{
-  double Depth = 1;       ///< a place so far from all contours of its plane is on the wrong side
-  double Area = 0.015;    ///< so much of a plane's drawn area is, in all
-  double WaistArea = 0.3; ///< so much of a hole, or of a branch, is filled, or gone, between planes
-};
-
 /// A place whose side the contours tell.
 struct ToldPlace
 {
