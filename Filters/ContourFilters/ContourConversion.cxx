@@ -70,8 +70,9 @@ void AppendChains(vtkCellArray* cells, bool closed, int& source, LoopSoup& soup)
   }
 }
 
-/// Chains of cells whose `GeometricType`, as DICOM readers give it, is defined by even-odd.
-void MarkExclusiveOr(vtkPolyData* input, LoopSoup& soup)
+/// What the cells' `GeometricType`, as DICOM readers give it, tells: which are defined by even-odd,
+/// and the unit.
+void MarkTypes(vtkPolyData* input, LoopSoup& soup)
 {
   auto* types =
     vtkStringArray::SafeDownCast(input->GetCellData()->GetAbstractArray("GeometricType"));
@@ -79,10 +80,40 @@ void MarkExclusiveOr(vtkPolyData* input, LoopSoup& soup)
   {
     return;
   }
+  // Only DICOM has such types, and its unit is the millimetre.
+  soup.Millimetres = true;
   for (LoopSoup::Chain& chain : soup.Chains)
   {
     chain.ExclusiveOr = chain.Source < types->GetNumberOfValues() &&
       types->GetValue(chain.Source) == "CLOSEDPLANAR_XOR";
+  }
+}
+
+/// Levels that Contour Hierarchy, or a filter after it, found and wrote.
+void MarkLevels(vtkPolyData* input, LoopSoup& soup)
+{
+  vtkFieldData* field = input->GetFieldData();
+  vtkDataArray* level = input->GetCellData()->GetArray("Level");
+  vtkDataArray* normal = field->GetArray("LevelNormal");
+  vtkDataArray* offset = field->GetArray("LevelOffset");
+  vtkDataArray* thickness = field->GetArray("LevelThickness");
+  if (!level || !normal || !offset || !thickness || normal->GetNumberOfComponents() != 3 ||
+    normal->GetNumberOfTuples() != offset->GetNumberOfTuples() ||
+    thickness->GetNumberOfTuples() != offset->GetNumberOfTuples())
+  {
+    return;
+  }
+  for (vtkIdType l = 0; l < offset->GetNumberOfTuples(); ++l)
+  {
+    LoopSoup::KnownLevel known;
+    normal->GetTuple(l, known.Normal.data());
+    known.Offset = offset->GetComponent(l, 0);
+    known.Thickness = thickness->GetComponent(l, 0);
+    soup.Levels.push_back(known);
+  }
+  for (LoopSoup::Chain& chain : soup.Chains)
+  {
+    chain.Level = static_cast<int>(level->GetComponent(chain.Source, 0));
   }
 }
 
@@ -156,7 +187,8 @@ ConvertedLoops ToLoopSoup(vtkPolyData* input)
   AppendVertices(input->GetVerts(), source, loops.Soup);
   AppendChains(input->GetLines(), false, source, loops.Soup);
   AppendChains(input->GetPolys(), true, source, loops.Soup);
-  MarkExclusiveOr(input, loops.Soup);
+  MarkTypes(input, loops.Soup);
+  MarkLevels(input, loops.Soup);
   const vtkIdType strips = input->GetNumberOfStrips();
   if (strips > 0)
   {
@@ -270,13 +302,16 @@ void AddLevels(const ContourSet& set, vtkDataObject* output)
 {
   std::vector<Vector3> normals;
   std::vector<double> offsets;
+  std::vector<double> thicknesses;
   for (const Level& level : set.Levels)
   {
     normals.push_back(level.Frame.Normal);
     offsets.push_back(level.Offset);
+    thicknesses.push_back(level.Thickness);
   }
   AddArray(output->GetFieldData(), "LevelNormal", normals);
   AddArray(output->GetFieldData(), "LevelOffset", offsets);
+  AddArray(output->GetFieldData(), "LevelThickness", thicknesses);
 }
 
 void ToPolyData(const TriangleMesh& mesh, vtkPolyData* output)

@@ -32,7 +32,10 @@ struct ConvertedLoops
 /**
  * Lines and polygons become chains, vertices chains of one point (which the contour set reports).
  *
- * Cells whose string array `GeometricType` says CLOSEDPLANAR_XOR become ExclusiveOr chains.
+ * Cells whose string array `GeometricType` says CLOSEDPLANAR_XOR become ExclusiveOr chains, and the
+ * unit is the millimetre where there is such an array. Levels that ToPolyData(ContourSet) wrote are
+ * read again (cell array `Level`, field data `LevelNormal`, `LevelOffset`, `LevelThickness`), so
+ * that no later filter decides anew which contours are one level.
  *
  * Polygons, and polylines whose last point has the first one's index, are closed. Triangle strips
  * are no contours: they are left aside with a sentence.
@@ -62,7 +65,7 @@ CONTOURFILTERS_EXPORT std::vector<int> ToPolyData(const LoopSoup& soup, vtkPolyD
 /**
  * Closed polylines, last point id = first, with cell arrays `Level`, `ContourId`, `Depth`, `Parent`
  * (ContourId or -1), `SignedArea`, and field data `LevelNormal` (3 components), `LevelOffset`,
- * `LevelHoleRule` (a sentence a level).
+ * `LevelThickness`, `LevelHoleRule` (a sentence a level).
  */
 CONTOURFILTERS_EXPORT void ToPolyData(const ContourSet& set, vtkPolyData* output);
 
@@ -70,7 +73,8 @@ CONTOURFILTERS_EXPORT void ToPolyData(const ContourSet& set, vtkPolyData* output
 CONTOURFILTERS_EXPORT void PassCellData(
   const ContourSet& set, vtkPolyData* input, vtkPolyData* output);
 
-/// Field data `LevelNormal` (three components) and `LevelOffset`: a tuple and a value a level.
+/// Field data `LevelNormal` (three components), `LevelOffset` and `LevelThickness` (farthest distance
+/// of a point from its plane): a tuple and two values a level.
 CONTOURFILTERS_EXPORT void AddLevels(const ContourSet& set, vtkDataObject* output);
 
 /// Triangles, with double precision points; attributes are the caller's.

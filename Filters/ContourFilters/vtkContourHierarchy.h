@@ -19,7 +19,7 @@
  * in the order of the input), `ContourId`, `Depth` (even = outer wall), `Parent` (ContourId or -1),
  * `SignedArea` (square units, negative for holes), and the arrays of the input cell that a contour
  * came from;
- * - field data: `LevelNormal`, `LevelOffset` (a value a level), `LevelHoleRule` (a sentence a
+ * - field data: `LevelNormal`, `LevelOffset` and `LevelThickness` (a value a level), `LevelHoleRule` (a sentence a
  * level: the rule that was applied, and how its holes were drawn), `Report` (a line for every
  * contour repaired or left out, and why), and the arrays of the input.
  *

@@ -71,7 +71,7 @@ public:
 
   ///@{
   /**
-   * Levels further apart than this many times the median spacing are not joined, but where it is
+   * Levels further apart than this many times the spacing beside them are not joined, but where it is
    * forced; 0: all are. Default 5, as of vtkPolyhedralSurface.
    */
   vtkSetClampMacro(MaximumGap, double, 0.0, VTK_DOUBLE_MAX);

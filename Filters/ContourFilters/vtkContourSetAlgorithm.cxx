@@ -17,6 +17,7 @@ void vtkContourSetAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "HoleRule: " << this->HoleRule << endl;
+  os << indent << "OpenLines: " << this->OpenLines << endl;
   os << indent << "PlaneTolerance: " << this->PlaneTolerance << endl;
   os << indent << "SnapTolerance: " << this->SnapTolerance << endl;
 }
@@ -29,7 +30,13 @@ recon::ContourSet vtkContourSetAlgorithm::ReadContours(
   options.PlaneTolerance = this->PlaneTolerance;
   options.SnapTolerance = this->SnapTolerance;
   options.Holes = static_cast<recon::HoleRule>(this->HoleRule);
-  return recon::ReadContours(input, options, monitor);
+  options.OpenLines = static_cast<recon::OpenLineRule>(this->OpenLines);
+  recon::ContourSet contours = recon::ReadContours(input, options, monitor);
+  if (!contours.Warning.empty())
+  {
+    vtkWarningMacro(<< contours.Warning);
+  }
+  return contours;
 }
 
 recon::ContourSet vtkContourSetAlgorithm::ReadContoursOfSolid(

@@ -62,10 +62,13 @@ public:
 
   ///@{
   /**
-   * Points nearer to a plane than this fraction of the bounding box's diagonal lie in it; loose
-   * ends nearer to each other than that are joined. 1e-5 by default.
+   * Planes nearer to each other than this, in the unit of the input, are one level, with a line in
+   * `Report`; 0, the default, finds the distance from the contours (5% of the median distance of
+   * neighbouring planes, and at most 0.1 mm in DICOM data). Contours may be off their plane by as
+   * much, too, or by what recon::ContourSetOptions::PlaneTolerance says. Levels that an earlier
+   * filter of this plugin has found stay as they are.
    */
-  vtkSetClampMacro(PlaneTolerance, double, 0.0, 0.1);
+  vtkSetClampMacro(PlaneTolerance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(PlaneTolerance, double);
   ///@}
 
@@ -80,6 +83,24 @@ public:
   vtkGetMacro(SnapTolerance, double);
   ///@}
 
+  enum OpenLinesType
+  {
+    LeaveOut = 0,
+    Chord = 1,
+    Border = 2
+  };
+
+  ///@{
+  /**
+   * What becomes of open lines. Those whose ends are no farther apart than their points are always
+   * closed, with a line in `Report`; LeaveOut, the default, leaves the others out, and warns where
+   * they are most; Chord closes them by a straight line; Border along the border of the rectangle
+   * around all contours, as isolines that leave their window ask for (parallel planes only).
+   */
+  vtkSetClampMacro(OpenLines, int, LeaveOut, Border);
+  vtkGetMacro(OpenLines, int);
+  ///@}
+
 protected:
   vtkContourSetAlgorithm() = default;
   ~vtkContourSetAlgorithm() override = default;
@@ -87,6 +108,8 @@ protected:
   /**
    * Clean contours of the input by the properties above. What the input's own Report says, and what
    * of it can be no contour, comes first in their Report.
+   *
+   * Shows ContourSet::Warning as a warning.
    *
    * @param parallel whether contours of other planes than most are left out
    * @throws recon::Error, recon::Aborted
@@ -111,7 +134,8 @@ private:
   /// Of the collection whose blocks come in; empty where they are regions of their own.
   std::vector<vtkPolyData*> Slices;
   int HoleRule = Automatic;
-  double PlaneTolerance = 1e-5;
+  int OpenLines = LeaveOut;
+  double PlaneTolerance = 0;
   double SnapTolerance = 0;
 };
 

@@ -99,7 +99,7 @@ public:
 
   ///@{
   /**
-   * Levels further apart than this many times the median spacing are not joined, with a line in
+   * Levels further apart than this many times the spacing beside them are not joined, with a line in
    * `Report`; 0: all are. Default 5: a few skipped slices are bridged (the widest gap in one shape
    * of the sets that the project is tested on is 3), two stacks of one name are not.
    */

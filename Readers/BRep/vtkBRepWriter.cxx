@@ -55,7 +55,8 @@ void AppendLoops(
   }
   pieces.Points = std::move(soup.Points);
   recon::ContourNotes notes(pieces);
-  for (const recon::Ring& ring : recon::ChainRings(pieces, 0, notes, monitor))
+  const recon::ChainedRings chained = recon::ChainRings(pieces, 0, notes, monitor);
+  for (const recon::Ring& ring : chained.Rings)
   {
     loops.push_back(InSpace(pieces, ring.Points));
   }

@@ -81,7 +81,7 @@ LoopSoup CloseLoops(
   }
   pieces.Points = std::move(soup.Points);
   ContourNotes notes(pieces); // what they say is an error here, see CheckAllClosed
-  std::vector<Ring> rings = ChainRings(pieces, 0, notes, monitor);
+  std::vector<Ring> rings = ChainRings(pieces, 0, notes, monitor).Rings;
   CheckAllClosed(pieces, rings, fileHolds);
   for (Ring& ring : rings)
   {

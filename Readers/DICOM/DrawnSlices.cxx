@@ -2,7 +2,7 @@
 #include "DICOM/DrawnSlices.h"
 
 #include "Base/BoundingBox.h"
-#include "Contours/ContourPlanes.h"
+#include "Base/Geometry.h"
 
 #include <utility>
 
@@ -51,7 +51,7 @@ void OutlineDrawn(const std::vector<DrawnImage>& drawn, std::vector<ReferenceSli
 {
   for (ReferenceSlice& slice : slices)
   {
-    const PlanarFrame frame = MakeFrame(slice.Normal);
+    const PlanarFrame frame = PlanarFrame::About(slice.Normal);
     Box2 box;
     for (const DrawnImage& image : drawn)
     {

@@ -182,7 +182,7 @@ for given, parts in (({}, 2), ({"MaximumGap": 28}, 1), ({"MaximumGap": 0}, 1),
         expect(simple.PolyhedralSurface(Input=two, Mapping=mapping, **given), parts,
                f"stacks 28 spacings apart, {mapping}, {given}")
 report = ct.data(simple.PolyhedralSurface(Input=two)).GetFieldData().GetAbstractArray("Report")
-ct.check(report.GetNumberOfValues() == 1 and "28 times the usual spacing apart and are not joined" in report.GetValue(0),
+ct.check(report.GetNumberOfValues() == 1 and "28 times as far apart as those beside them and are not joined" in report.GetValue(0),
          "a gap that is not bridged is reported")
 beside = squares(*[(x, 0, z, 1) for z in (0, 1, 2) for x in (0, 30)])
 expect(simple.PolyhedralSurface(Input=beside), 2, "two stacks side by side")

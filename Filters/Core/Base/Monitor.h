@@ -28,6 +28,14 @@ public:
   using std::runtime_error::runtime_error;
 };
 
+/// Input with nothing to work on, through no fault of its own: open lines only, as channels and wires
+/// are. Among other regions it stops none; what() is one sentence.
+class NothingToDo : public Error
+{
+public:
+  using Error::Error;
+};
+
 /// Thrown by Monitor::Update where the user asked to stop; carries no message on purpose.
 class RECON_EXCEPTION Aborted : public std::exception
 {

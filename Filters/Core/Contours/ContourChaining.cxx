@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Contours/ContourChaining.h"
 
+#include "Base/Median.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,11 +18,8 @@ namespace
 {
 // Beyond this, products of coordinates in exact predicates could overflow.
 constexpr double LargestCoordinate = 1e60;
-
-std::size_t Index(int i)
-{
-  return static_cast<std::size_t>(i);
-}
+// A line of fewer points encloses nothing that its ends could tell.
+constexpr std::size_t FewestOfNarrowGap = 4;
 
 /// An open polyline, with the node at either end.
 struct Piece
@@ -49,12 +48,12 @@ public:
     {
       nodeCount = std::max({ nodeCount, piece.Node[0] + 1, piece.Node[1] + 1 });
     }
-    this->At.resize(Index(nodeCount));
-    this->Position.assign(Index(nodeCount), -1);
+    this->At.resize(nodeCount);
+    this->Position.assign(nodeCount, -1);
     for (std::size_t i = 0; i < this->Pieces.size(); ++i)
     {
-      this->At[Index(this->Pieces[i].Node[0])].push_back({ static_cast<int>(i), 0 });
-      this->At[Index(this->Pieces[i].Node[1])].push_back({ static_cast<int>(i), 1 });
+      this->At[this->Pieces[i].Node[0]].push_back({ static_cast<int>(i), 0 });
+      this->At[this->Pieces[i].Node[1]].push_back({ static_cast<int>(i), 1 });
     }
   }
 
@@ -87,16 +86,16 @@ private:
     int From; ///< 0: walked from its first point on, 1: from its last
   };
 
-  int StartNode(Step s) const { return this->Pieces[Index(s.Id)].Node[Index(s.From)]; }
-  int EndNode(Step s) const { return this->Pieces[Index(s.Id)].Node[Index(1 - s.From)]; }
+  int StartNode(Step s) const { return this->Pieces[s.Id].Node[s.From]; }
+  int EndNode(Step s) const { return this->Pieces[s.Id].Node[1 - s.From]; }
 
   /// Unit direction in which the step leaves its start, or arrives at its end.
   Vector3 Direction(Step s, bool arriving) const
   {
-    const std::vector<int>& p = this->Pieces[Index(s.Id)].Points;
+    const std::vector<int>& p = this->Pieces[s.Id].Points;
     const bool atBack = (s.From == 1) != arriving;
-    const Point3& end = this->Soup.Points[Index(atBack ? p.back() : p.front())];
-    const Point3& next = this->Soup.Points[Index(atBack ? p[p.size() - 2] : p[1])];
+    const Point3& end = this->Soup.Points[atBack ? p.back() : p.front()];
+    const Point3& next = this->Soup.Points[atBack ? p[p.size() - 2] : p[1]];
     const Vector3 d = arriving ? end - next : next - end;
     const double length = Norm(d);
     return length > 0 ? (1 / length) * d : d;
@@ -106,9 +105,9 @@ private:
   {
     Step best{ -1, 0 };
     double bestCosine = -2;
-    std::vector<Step>& candidates = this->At[Index(this->EndNode(s))];
+    std::vector<Step>& candidates = this->At[this->EndNode(s)];
     candidates.erase(std::remove_if(candidates.begin(), candidates.end(),
-                       [this](Step c) { return static_cast<bool>(this->Used[Index(c.Id)]); }),
+                       [this](Step c) { return static_cast<bool>(this->Used[c.Id]); }),
       candidates.end());
     if (candidates.size() == 1)
     {
@@ -129,19 +128,19 @@ private:
 
   void WalkFrom(Step s, std::vector<Ring>& rings)
   {
-    if (this->Used[Index(s.Id)])
+    if (this->Used[s.Id])
     {
       return;
     }
     std::vector<Step> path;
     const int origin = this->StartNode(s);
-    this->Position[Index(origin)] = 0;
+    this->Position[origin] = 0;
     while (s.Id >= 0)
     {
-      this->Used[Index(s.Id)] = true;
+      this->Used[s.Id] = true;
       path.push_back(s);
       const int node = this->EndNode(s);
-      int& position = this->Position[Index(node)];
+      int& position = this->Position[node];
       if (position >= 0)
       {
         this->CutRing(path, static_cast<std::size_t>(position), rings);
@@ -152,10 +151,10 @@ private:
       }
       s = this->StraightestAfter(s);
     }
-    this->Position[Index(origin)] = -1;
+    this->Position[origin] = -1;
     for (Step p : path)
     {
-      this->Position[Index(this->EndNode(p))] = -1;
+      this->Position[this->EndNode(p)] = -1;
     }
     if (!path.empty())
     {
@@ -167,10 +166,10 @@ private:
   {
     for (std::size_t i = from; i + 1 < path.size(); ++i)
     {
-      this->Position[Index(this->EndNode(path[i]))] = -1;
+      this->Position[this->EndNode(path[i])] = -1;
     }
     Piece joined = this->Join(path, from, true);
-    rings.push_back({ std::move(joined.Points), joined.Source });
+    rings.push_back({ std::move(joined.Points), joined.Source, -1 });
     path.resize(from);
   }
 
@@ -179,7 +178,7 @@ private:
     Piece joined;
     for (std::size_t i = from; i < path.size(); ++i)
     {
-      const Piece& piece = this->Pieces[Index(path[i].Id)];
+      const Piece& piece = this->Pieces[path[i].Id];
       std::vector<int> points = piece.Points;
       if (path[i].From == 1)
       {
@@ -230,15 +229,15 @@ void NumberByCoordinates(const LoopSoup& soup, std::vector<Piece>& pieces)
   std::vector<Point3> ends;
   for (const Piece& piece : pieces)
   {
-    ends.push_back(soup.Points[Index(piece.Points.front())]);
-    ends.push_back(soup.Points[Index(piece.Points.back())]);
+    ends.push_back(soup.Points[piece.Points.front()]);
+    ends.push_back(soup.Points[piece.Points.back()]);
   }
   std::sort(ends.begin(), ends.end());
   ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
   const auto number = [&](int p)
   {
     return static_cast<int>(
-      std::lower_bound(ends.begin(), ends.end(), soup.Points[Index(p)]) - ends.begin());
+      std::lower_bound(ends.begin(), ends.end(), soup.Points[p]) - ends.begin());
   };
   for (Piece& piece : pieces)
   {
@@ -272,10 +271,10 @@ public:
     std::vector<bool> taken(2 * this->Pieces.size(), false);
     for (const auto& [distance, a, b] : pairs)
     {
-      if (!taken[Index(a)] && !taken[Index(b)])
+      if (!taken[a] && !taken[b])
       {
-        taken[Index(a)] = taken[Index(b)] = true;
-        this->Pieces[Index(b / 2)].Node[Index(b % 2)] = a;
+        taken[a] = taken[b] = true;
+        this->Pieces[b / 2].Node[b % 2] = a;
       }
     }
   }
@@ -285,8 +284,8 @@ private:
 
   const Point3& End(int e) const
   {
-    const std::vector<int>& p = this->Pieces[Index(e / 2)].Points;
-    return this->Soup.Points[Index(e % 2 == 0 ? p.front() : p.back())];
+    const std::vector<int>& p = this->Pieces[e / 2].Points;
+    return this->Soup.Points[e % 2 == 0 ? p.front() : p.back()];
   }
 
   Cell CellOf(const Point3& p) const
@@ -328,7 +327,7 @@ private:
   void AddPair(int a, int b, std::vector<std::tuple<double, int, int>>& pairs) const
   {
     const double distance = Distance(this->End(a), this->End(b));
-    const bool ownSegment = a / 2 == b / 2 && this->Pieces[Index(a / 2)].Points.size() < 4;
+    const bool ownSegment = a / 2 == b / 2 && this->Pieces[a / 2].Points.size() < 4;
     if (distance <= this->Tolerance && !ownSegment)
     {
       pairs.emplace_back(distance, a, b);
@@ -375,12 +374,12 @@ bool Usable(const LoopSoup& soup, const LoopSoup::Chain& chain, ContourNotes& no
   const char* bad = nullptr;
   for (int p : chain.Points)
   {
-    if (p < 0 || Index(p) >= soup.Points.size())
+    if (p < 0 || p >= static_cast<int>(soup.Points.size()))
     {
       bad = "refers to a point that does not exist; left out";
       break;
     }
-    const Point3& x = soup.Points[Index(p)];
+    const Point3& x = soup.Points[p];
     if (!std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]))
     {
       bad = "has a coordinate that is not a finite number; left out";
@@ -404,8 +403,7 @@ bool Usable(const LoopSoup& soup, const LoopSoup::Chain& chain, ContourNotes& no
 /// Takes out points that equal the one before; true where the ring is still a ring.
 bool CleanRing(const LoopSoup& soup, Ring& ring, ContourNotes& notes)
 {
-  const auto same = [&soup](int a, int b)
-  { return soup.Points[Index(a)] == soup.Points[Index(b)]; };
+  const auto same = [&soup](int a, int b) { return soup.Points[a] == soup.Points[b]; };
   std::vector<int>& p = ring.Points;
   const std::size_t given = p.size();
   const int place = p.empty() ? -1 : p[0];
@@ -447,31 +445,55 @@ void Separate(
       continue;
     }
     const std::vector<int>& p = chain.Points;
-    const bool returns =
-      p.size() > 1 && soup.Points[Index(p.front())] == soup.Points[Index(p.back())];
+    const bool returns = p.size() > 1 && soup.Points[p.front()] == soup.Points[p.back()];
     if (chain.Closed || returns || p.size() < 2)
     {
-      rings.push_back({ p, chain.Source });
+      rings.push_back({ p, chain.Source, chain.Level });
       continue;
     }
     pieces.push_back({ p, chain.Source, {} });
   }
 }
 
-void NoteOpen(const LoopSoup& soup, const std::vector<Piece>& pieces, ContourNotes& notes)
+/// Closes lines whose ends are no farther apart than their points.
+void CloseNarrowGaps(
+  const LoopSoup& soup, std::vector<OpenLine>& open, std::vector<Ring>& rings, ContourNotes& notes)
 {
-  for (const Piece& piece : pieces)
+  const auto closes = [&](const OpenLine& line)
   {
-    const double gap =
-      Distance(soup.Points[Index(piece.Points.front())], soup.Points[Index(piece.Points.back())]);
-    notes.Add(piece.Source, piece.Points.size(), piece.Points[0],
-      "is open, its ends are " + Text(gap) + " apart; left out");
-  }
+    if (line.Points.size() < FewestOfNarrowGap)
+    {
+      return false;
+    }
+    std::vector<double> edges;
+    for (std::size_t i = 1; i < line.Points.size(); ++i)
+    {
+      edges.push_back(Distance(soup.Points[line.Points[i - 1]], soup.Points[line.Points[i]]));
+    }
+    const double spacing = Median(std::move(edges));
+    const double gap = GapOf(soup, line);
+    // Equal but for rounding is no farther.
+    if (gap > spacing * (1 + 1e-9))
+    {
+      return false;
+    }
+    notes.Add(line.Source, line.Points.size(), line.Points[0],
+      "was closed by a straight line, as its ends are " + Text(gap) +
+        " apart, no more than its points (" + Text(spacing) + ")");
+    rings.push_back({ line.Points, line.Source, -1 });
+    return true;
+  };
+  open.erase(std::remove_if(open.begin(), open.end(), closes), open.end());
 }
 }
 
-std::vector<Ring> ChainRings(
-  const LoopSoup& soup, double tolerance, ContourNotes& notes, Monitor& monitor)
+double GapOf(const LoopSoup& soup, const OpenLine& line)
+{
+  return Distance(soup.Points[line.Points.front()], soup.Points[line.Points.back()]);
+}
+
+ChainedRings ChainRings(const LoopSoup& soup, double tolerance, ContourNotes& notes,
+  Monitor& monitor, bool closeNarrowGaps)
 {
   monitor.Update(0, "chaining contours");
   std::vector<Ring> rings;
@@ -501,13 +523,21 @@ std::vector<Ring> ChainRings(
         "was closed where ends lay within " + Text(tolerance) + " of each other");
     }
   }
-  NoteOpen(soup, pieces, notes);
+  std::vector<OpenLine> open;
+  for (Piece& piece : pieces)
+  {
+    open.push_back({ std::move(piece.Points), piece.Source });
+  }
+  if (closeNarrowGaps)
+  {
+    CloseNarrowGaps(soup, open, rings, notes);
+  }
 
   std::stable_sort(
     rings.begin(), rings.end(), [](const Ring& a, const Ring& b) { return a.Source < b.Source; });
   rings.erase(std::remove_if(rings.begin(), rings.end(),
                 [&](Ring& ring) { return !CleanRing(soup, ring, notes); }),
     rings.end());
-  return rings;
+  return { std::move(rings), std::move(open) };
 }
 }

@@ -5,6 +5,7 @@
 #include "Contours/ContourNotes.h"
 #include "Contours/JoinExplanation.h"
 #include "Contours/JoinOverrides.h"
+#include "Contours/LevelGaps.h"
 #include "Contours/MappingGroups.h"
 #include "Planar/NearestRegion.h"
 #include "Planar/RegionOverlaps.h"
@@ -23,11 +24,6 @@ namespace recon
 {
 namespace
 {
-std::size_t Index(int i)
-{
-  return static_cast<std::size_t>(i);
-}
-
 /// Overlaps below this part of the smaller region are rounding of a common border.
 constexpr double Negligible = 1e-12;
 
@@ -66,7 +62,7 @@ std::vector<ContourRegion> MakeRegions(const ContourSet& contours)
     region.Area += std::abs(contour.SignedArea);
     if (contour.Parent >= 0)
     {
-      ContourRegion& around = regions[Index(contour.Parent)];
+      ContourRegion& around = regions[contour.Parent];
       around.Holes.push_back(static_cast<int>(c));
       around.Area -= std::abs(contour.SignedArea);
     }
@@ -74,50 +70,22 @@ std::vector<ContourRegion> MakeRegions(const ContourSet& contours)
   return regions;
 }
 
-/// Thickness of the slabs.
-struct Spacing
-{
-  std::vector<double> Gaps;
-  double Median = 0;
-
-  explicit Spacing(const ContourSet& contours)
-  {
-    for (std::size_t l = 1; l < contours.Levels.size(); ++l)
-    {
-      this->Gaps.push_back(contours.Levels[l].Offset - contours.Levels[l - 1].Offset);
-    }
-    if (this->Gaps.empty())
-    {
-      return;
-    }
-    std::vector<double> sorted = this->Gaps;
-    std::sort(sorted.begin(), sorted.end());
-    this->Median = sorted[(sorted.size() - 1) / 2];
-  }
-
-  bool IsTooWide(std::size_t slab, double maximum) const
-  {
-    // A gap of exactly so many spacings is bridged, also where offsets are rounded decimals.
-    return maximum > 0 && this->Gaps[slab] > maximum * this->Median * (1 + 1e-9);
-  }
-};
-
 /// All decisions of one slab.
 class SlabMapper
 {
 public:
   SlabMapper(const ContourSet& contours, const ContourMappingOptions& options,
-    const ContourMapping& mapping, const Spacing& spacing, const JoinOverrides& overrides, int slab)
+    const ContourMapping& mapping, const LevelGaps& gaps, const JoinOverrides& overrides, int slab)
     : Contours(contours),
       Mapping(mapping),
-      Overrides(overrides.OfSlab[Index(slab)]),
+      Overrides(overrides.OfSlab[slab]),
       Slab(slab)
   {
     this->Context.Threshold = options.OverlapThreshold;
-    this->Context.Gap = spacing.Gaps[Index(slab)];
-    this->Context.Spacing = spacing.Median;
+    this->Context.Gap = gaps.Thickness[slab];
+    this->Context.Spacing = gaps.Usual[slab];
     this->Context.MaximumGap = options.MaximumGap;
-    this->Context.TooWide = mapping.IsGap[Index(slab)] != 0;
+    this->Context.TooWide = mapping.IsGap[slab] != 0;
   }
 
   void MapOverlaps()
@@ -161,13 +129,13 @@ public:
 private:
   using Pair = std::pair<int, int>;
 
-  const ContourRegion& RegionAt(int r) const { return this->Mapping.Regions[Index(r)]; }
+  const ContourRegion& RegionAt(int r) const { return this->Mapping.Regions[r]; }
 
   /// Pairs that overlap or are overridden, and how much of every hole faces solid.
   void MeasureOverlaps()
   {
-    const Level& lower = this->Contours.Levels[Index(this->Slab)];
-    const Level& upper = this->Contours.Levels[Index(this->Slab) + 1];
+    const Level& lower = this->Contours.Levels[this->Slab];
+    const Level& upper = this->Contours.Levels[this->Slab + 1];
     for (const RegionOverlap& overlap : MeasureRegionOverlaps(this->Contours, lower, upper))
     {
       const ContourRegion& below = this->RegionAt(overlap.LowerContour);
@@ -270,14 +238,14 @@ private:
     {
       return true;
     }
-    const Pair around{ this->Contours.Contours[Index(join.LowerRegion)].Parent,
-      this->Contours.Contours[Index(join.UpperRegion)].Parent };
+    const Pair around{ this->Contours.Contours[join.LowerRegion].Parent,
+      this->Contours.Contours[join.UpperRegion].Parent };
     return this->JoinedPairs.count(around) > 0;
   }
 
   void MapRestToPhi(int level)
   {
-    for (int region : this->Contours.Levels[Index(level)].Contours)
+    for (int region : this->Contours.Levels[level].Contours)
     {
       if (this->Joined.count(region) > 0)
       {
@@ -337,17 +305,16 @@ void JoinLonelyRegions(
 {
   struct Join
   {
-    std::size_t Slab;
-    int Lower, Upper;
+    int Slab, Lower, Upper;
     double Distance;
   };
   std::vector<Join> joins; // all are found before any is made, so that their order does not matter
   for (const ContourRegion& region : mapping.Regions)
   {
     const bool hasBelow = region.Level > 0;
-    const bool hasAbove = Index(region.Level) < mappers.size();
-    if (!region.Solid || (hasBelow && mappers[Index(region.Level) - 1].HasPairOf(region.Wall)) ||
-      (hasAbove && mappers[Index(region.Level)].HasPairOf(region.Wall)))
+    const bool hasAbove = region.Level < static_cast<int>(mappers.size());
+    if (!region.Solid || (hasBelow && mappers[region.Level - 1].HasPairOf(region.Wall)) ||
+      (hasAbove && mappers[region.Level].HasPairOf(region.Wall)))
     {
       continue;
     }
@@ -358,7 +325,7 @@ void JoinLonelyRegions(
       {
         continue;
       }
-      const std::size_t slab = Index(region.Level) - (above ? 0 : 1);
+      const int slab = region.Level - (above ? 0 : 1);
       const Level& level = contours.Levels[above ? slab + 1 : slab];
       const auto nearest = mappers[slab].IsTooWide()
         ? std::nullopt
@@ -388,17 +355,6 @@ void JoinLonelyRegions(
 }
 }
 
-std::vector<unsigned char> FindGaps(const ContourSet& contours, double maximumGap)
-{
-  const Spacing spacing(contours);
-  std::vector<unsigned char> gaps;
-  for (std::size_t slab = 0; slab < spacing.Gaps.size(); ++slab)
-  {
-    gaps.push_back(spacing.IsTooWide(slab, maximumGap) ? 1 : 0);
-  }
-  return gaps;
-}
-
 ContourMapping BuildContourMapping(
   const ContourSet& contours, const ContourMappingOptions& options, Monitor& monitor)
 {
@@ -410,15 +366,15 @@ ContourMapping BuildContourMapping(
   JoinOverrides overrides = ResolveOverrides(contours, options);
   mapping.Report = std::move(overrides.Report);
 
-  const Spacing spacing(contours);
-  mapping.IsGap = FindGaps(contours, options.MaximumGap);
+  const LevelGaps gaps = FindLevelGaps(contours, options.MaximumGap);
+  mapping.IsGap = gaps.IsGap;
   std::vector<SlabMapper> mappers;
   for (std::size_t slab = 0; slab < overrides.OfSlab.size(); ++slab)
   {
-    mappers.emplace_back(contours, options, mapping, spacing, overrides, static_cast<int>(slab));
+    mappers.emplace_back(contours, options, mapping, gaps, overrides, static_cast<int>(slab));
   }
   ParallelFor(static_cast<int>(mappers.size()), options.Threads,
-    [&mappers](int slab) { mappers[Index(slab)].MapOverlaps(); }, monitor,
+    [&mappers](int slab) { mappers[slab].MapOverlaps(); }, monitor,
     { 0.0, 0.9, "mapping regions" });
   JoinLonelyRegions(contours, mapping, mappers);
   for (SlabMapper& mapper : mappers)

@@ -43,7 +43,7 @@ struct ContourMappingOptions
   /// Pairs of contours whose regions are not joined whatever the overlap; forbidding wins over
   /// forcing.
   std::vector<std::pair<int, int>> ForbiddenJoins;
-  double MaximumGap = DefaultMaximumGap; ///< see FindGaps; forced joins bridge gaps, too
+  double MaximumGap = DefaultMaximumGap; ///< see FindLevelGaps; forced joins bridge gaps, too
   int Threads = 0;
 };
 
@@ -105,13 +105,6 @@ struct ContourMapping
   /// A sentence for every override that cannot be followed, and why.
   std::vector<std::string> Report;
 };
-
-/**
- * Of every slab whether it is thicker than maximumGap times the median spacing; 0 = none is.
- *
- * The lower median, so that one gap between two slices counts.
- */
-std::vector<unsigned char> FindGaps(const ContourSet& contours, double maximumGap);
 
 /**
  * Overlaps, decisions, groups and their filters (thesis 3.2, 3.3).

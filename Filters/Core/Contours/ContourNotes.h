@@ -17,11 +17,11 @@
 namespace recon
 {
 /**
- * A sentence for every contour that does not pass unchanged.
+ * What happened to every contour that does not pass unchanged, one sentence a kind.
  *
  * Notes are taken while the common normal of the contours is still unknown, so the place is kept as
  * a point of the input and turned into an offset (or a position, where there is no common normal)
- * last.
+ * last. Notes that differ in numbers only are of one kind.
  */
 class ContourNotes
 {
@@ -31,7 +31,8 @@ public:
   /// @param sources input cells, most important first
   /// @param pointCount points of all of them together
   /// @param place index of an input point to say where, or -1 where none is usable
-  /// @param what the rest of the sentence, without a full stop
+  /// @param what the rest of the sentence, without a full stop; it has "left out" where the contour
+  /// is lost
   void Add(std::vector<int> sources, std::size_t pointCount, int place, const std::string& what);
   void Add(int source, std::size_t pointCount, int place, const std::string& what)
   {
@@ -41,9 +42,17 @@ public:
   /// A whole sentence that is about no contour in particular.
   void AddGeneral(const std::string& sentence) { this->General.push_back(sentence); }
 
-  /// The sentences, general ones first, then in the order of the input cells; offsets are along the
-  /// frame's normal.
-  std::vector<std::string> Sentences(const std::optional<PlanarFrame>& frame) const;
+  /**
+   * The sentences, the important first: how many contours were lost, where it is more than one, then
+   * what was lost, general sentences, and what was repaired; in the order of input cells.
+   *
+   * A kind of which there are several is one sentence with their number and the first three places.
+   * Offsets are along the frame's normal.
+   *
+   * @param kept contours that are left
+   */
+  std::vector<std::string> Sentences(
+    const std::optional<PlanarFrame>& frame, std::size_t kept) const;
 
 private:
   struct Note
@@ -53,7 +62,12 @@ private:
     int Place;
     std::string What;
   };
-  std::string Sentence(const Note& note, const std::optional<PlanarFrame>& frame) const;
+  using Kind = std::vector<const Note*>;
+
+  std::vector<Kind> Kinds() const;
+  std::string Sentence(const Kind& kind, const std::optional<PlanarFrame>& frame) const;
+  /// "cell 4 (12 points, at offset 3)"
+  std::string Name(const Note& note, const std::optional<PlanarFrame>& frame) const;
 
   const LoopSoup& Soup;
   std::vector<std::string> General;

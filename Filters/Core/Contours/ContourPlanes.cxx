@@ -1,335 +1,243 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Contours/ContourPlanes.h"
 
+#include "Contours/LevelGrouping.h"
+#include "Contours/RingDirections.h"
+
 #include <algorithm>
-#include <limits>
+#include <cmath>
+#include <map>
 #include <numeric>
 #include <optional>
-#include <tuple>
 #include <utility>
 
 namespace recon
 {
 namespace
 {
-// A ring whose width is less than this many tolerances does not tell its plane by itself.
-constexpr double TrustedWidth = 10;
-// Coordinates rounded to a few decimals make oblique contours less flat than the tolerance: where
-// the rings themselves show it, up to this many tolerances are allowed.
-constexpr double MostRoughness = 30;
-
-std::size_t Index(int i)
-{
-  return static_cast<std::size_t>(i);
-}
-
-/// Smallest and largest offset of a ring's points along a direction.
-struct Extent
-{
-  double Low = std::numeric_limits<double>::infinity();
-  double High = -std::numeric_limits<double>::infinity();
-  double Size() const { return this->High - this->Low; }
-  double Middle() const { return this->Low + 0.5 * (this->High - this->Low); }
-  void Add(double x)
-  {
-    this->Low = std::min(this->Low, x);
-    this->High = std::max(this->High, x);
-  }
-};
-
-/// What a ring tells about its own plane.
-struct RingPlane
-{
-  Vector3 AreaVector{ 0, 0, 0 }; ///< along the normal, as long as the area that tells it
-  bool HasNormal = false;        ///< false where the points lie on a line
-  bool Trusted = false;          ///< wide enough, compared with the tolerance
-};
-
-/// Newell's vector area about the ring's first point.
-Vector3 NewellArea(const LoopSoup& soup, const Ring& ring)
-{
-  const Point3& o = soup.Points[Index(ring.Points[0])];
-  Vector3 sum{ 0, 0, 0 };
-  for (std::size_t i = 1; i + 1 < ring.Points.size(); ++i)
-  {
-    const Vector3 a = soup.Points[Index(ring.Points[i])] - o;
-    const Vector3 b = soup.Points[Index(ring.Points[i + 1])] - o;
-    sum = sum + 0.5 * Cross(a, b);
-  }
-  return sum;
-}
-
-/// The widest triangle over the ring's longest chord: also there where Newell's sum cancels (a bow
-/// tie).
-Vector3 WidestTriangle(const LoopSoup& soup, const Ring& ring, double& length)
-{
-  const Point3& o = soup.Points[Index(ring.Points[0])];
-  Vector3 chord{ 0, 0, 0 };
-  for (int p : ring.Points)
-  {
-    const Vector3 d = soup.Points[Index(p)] - o;
-    chord = Norm(d) > Norm(chord) ? d : chord;
-  }
-  Vector3 widest{ 0, 0, 0 };
-  for (int p : ring.Points)
-  {
-    const Vector3 c = 0.5 * Cross(chord, soup.Points[Index(p)] - o);
-    widest = Norm(c) > Norm(widest) ? c : widest;
-  }
-  length = Norm(chord);
-  return widest;
-}
-
-RingPlane PlaneOf(const LoopSoup& soup, const Ring& ring, double tolerance)
-{
-  RingPlane plane;
-  double length = 0;
-  const Vector3 widest = WidestTriangle(soup, ring, length);
-  plane.AreaVector = NewellArea(soup, ring);
-  if (Norm(plane.AreaVector) < 0.1 * Norm(widest))
-  {
-    plane.AreaVector = widest;
-  }
-  plane.HasNormal = Norm(plane.AreaVector) > 0;
-  plane.Trusted = Norm(plane.AreaVector) > TrustedWidth * tolerance * length;
-  return plane;
-}
-
-/// The unit vector along v, turned so that its largest component is positive.
-Vector3 Canonical(const Vector3& v)
-{
-  std::size_t largest = 0;
-  for (std::size_t k = 1; k < 3; ++k)
-  {
-    largest = std::abs(v[k]) > std::abs(v[largest]) ? k : largest;
-  }
-  return (v[largest] < 0 ? -1 / Norm(v) : 1 / Norm(v)) * v;
-}
-
-Vector3 NearestAxis(const Vector3& unit)
-{
-  Vector3 axis{ 0, 0, 0 };
-  std::size_t largest = 0;
-  for (std::size_t k = 1; k < 3; ++k)
-  {
-    largest = std::abs(unit[k]) > std::abs(unit[largest]) ? k : largest;
-  }
-  axis[largest] = 1;
-  return axis;
-}
-
-/// A direction and the rings that are flat along it.
-struct Direction
-{
-  Vector3 Normal{ 0, 0, 1 };
-  std::vector<int> Rings;
-  double Area = 0;
-};
+// Points within this part of the diagonal of a plane lie in it, whatever else is known.
+constexpr double FlatShare = 1e-5;
+constexpr double Degree = 3.14159265358979323846 / 180;
+// Single precision numbers, as some file formats store coordinates, differ by this much.
+constexpr double StorageRounding = 2.4e-7;
 
 class Grouper
 {
 public:
-  Grouper(const LoopSoup& soup, const std::vector<Ring>& rings, double tolerance,
+  Grouper(const LoopSoup& soup, const std::vector<Ring>& rings, const PlaneOptions& options,
     ContourNotes& notes, Monitor& monitor)
     : Soup(soup),
       Rings(rings),
-      Gap(tolerance),
-      Tolerance(tolerance),
+      Options(options),
+      Gap(std::max(options.Tolerance, FlatShare * options.Size)),
+      Directions(soup, rings, Gap, monitor),
       Notes(notes),
       Progress(monitor)
   {
-    this->Planes.reserve(rings.size());
-    for (const Ring& ring : rings)
-    {
-      this->Planes.push_back(PlaneOf(soup, ring, tolerance));
-    }
-    this->ByArea.resize(rings.size());
-    std::iota(this->ByArea.begin(), this->ByArea.end(), 0);
-    std::stable_sort(this->ByArea.begin(), this->ByArea.end(),
-      [this](int a, int b)
-      {
-        const RingPlane& p = this->Planes[Index(a)];
-        const RingPlane& q = this->Planes[Index(b)];
-        return p.Trusted != q.Trusted ? p.Trusted : Norm(p.AreaVector) > Norm(q.AreaVector);
-      });
-    this->AllowForRoughness();
   }
 
-  PlaneGrouping Group(bool onlyParallel)
+  PlaneGrouping Group()
   {
-    const Vector3 normal = this->CommonNormal();
-    std::vector<int> others;
-    std::vector<std::pair<Extent, int>> flat;
-    for (std::size_t i = 0; i < this->Rings.size(); ++i)
+    this->LevelsAreKnown = this->LieOnKnownLevels();
+    if (this->LevelsAreKnown)
     {
-      const std::optional<Extent> extent = this->FlatAlong(normal, static_cast<int>(i));
-      if (extent)
+      const std::optional<PlaneGrouping> known = this->KnownPlanes();
+      if (known)
       {
-        flat.emplace_back(*extent, static_cast<int>(i));
-      }
-      else
-      {
-        others.push_back(static_cast<int>(i));
+        return *known;
       }
     }
-    if (others.empty() || onlyParallel)
+    this->AllowForRoughness();
+    Vector3 normal = this->Directions.CommonNormal();
+    std::vector<int> flat = this->Directions.FlatRings(normal);
+    if (flat.size() < this->Rings.size())
     {
-      for (int ring : others)
+      const NearlyParallel nearly = this->Directions.FindNearlyParallel(
+        normal, this->Options.Tolerance, this->Soup.Millimetres);
+      if (nearly.Rings.size() > flat.size())
       {
-        this->NoteOtherDirection(ring);
+        this->NoteTilt(nearly);
+        normal = nearly.Normal;
+        flat = nearly.Rings;
       }
-      return this->Levels(normal, flat);
     }
-    return this->AnyPlanes();
+    if (flat.size() < this->Rings.size() && !this->Options.OnlyParallel)
+    {
+      return this->AnyPlanes();
+    }
+    PlaneGrouping grouping = this->Levels(normal, flat);
+    this->NoteOtherDirections(normal, flat, grouping);
+    return grouping;
   }
 
 private:
-  void AllowForRoughness()
+  const std::vector<int>& PointsOf(int ring) const { return this->Rings[ring].Points; }
+
+  // --- levels that an earlier filter has found
+
+  /// Does the soup say of every ring in which level it is, and is every ring still there?
+  bool LieOnKnownLevels() const
   {
-    double roughness = 0;
+    return !this->Rings.empty() &&
+      std::all_of(this->Rings.begin(), this->Rings.end(),
+        [this](const Ring& ring)
+        {
+          return ring.Level >= 0 && ring.Level < static_cast<int>(this->Soup.Levels.size()) &&
+            this->LiesOn(ring, this->Soup.Levels[ring.Level]);
+        });
+  }
+
+  bool LiesOn(const Ring& ring, const LoopSoup::KnownLevel& level) const
+  {
+    return std::all_of(ring.Points.begin(), ring.Points.end(),
+      [&](int p)
+      {
+        const Point3& x = this->Soup.Points[p];
+        return std::abs(Dot(level.Normal, x) - level.Offset) <=
+          level.Thickness + StorageRounding * Norm(x);
+      });
+  }
+
+  /// The planes that the soup knows of; empty where they are of several directions and one is
+  /// wanted.
+  std::optional<PlaneGrouping> KnownPlanes() const
+  {
+    const Vector3& normal = this->Soup.Levels[this->Rings[0].Level].Normal;
+    const bool parallel = std::all_of(this->Rings.begin(), this->Rings.end(),
+      [&](const Ring& ring) { return this->Soup.Levels[ring.Level].Normal == normal; });
+    if (parallel)
+    {
+      std::vector<int> all(this->Rings.size());
+      std::iota(all.begin(), all.end(), 0);
+      return this->Levels(normal, all);
+    }
+    if (this->Options.OnlyParallel)
+    {
+      return std::nullopt;
+    }
+    PlaneGrouping grouping;
+    for (const std::vector<int>& rings : this->ByKnownLevel())
+    {
+      grouping.Planes.push_back(this->MakePlane(
+        PlanarFrame::About(this->Soup.Levels[this->Rings[rings[0]].Level].Normal), rings));
+    }
+    SortByFirstRing(grouping.Planes);
+    return grouping;
+  }
+
+  std::vector<std::vector<int>> ByKnownLevel() const
+  {
+    std::vector<std::vector<int>> groups(this->Soup.Levels.size());
     for (std::size_t i = 0; i < this->Rings.size(); ++i)
     {
-      if (this->Planes[i].Trusted)
-      {
-        const double own = this->Roughness(static_cast<int>(i));
-        roughness = own <= MostRoughness * this->Gap ? std::max(roughness, own) : roughness;
-      }
+      groups[this->Rings[i].Level].push_back(static_cast<int>(i));
     }
-    if (roughness > this->Gap)
+    groups.erase(std::remove_if(groups.begin(), groups.end(),
+                   [](const std::vector<int>& rings) { return rings.empty(); }),
+      groups.end());
+    return groups;
+  }
+
+  void AllowForRoughness()
+  {
+    const double roughness = this->Directions.AllowForRoughness();
+    if (roughness > 0)
     {
-      // The common plane of several rings fits each of them a little worse than its own.
-      this->Tolerance = std::min(2 * roughness, MostRoughness * this->Gap);
       this->Notes.AddGeneral("Points lie up to " + Text(roughness) +
         " off the plane of their own contour, so planes were found with a tolerance of " +
-        Text(this->Tolerance) + " instead of " + Text(this->Gap) + ".");
+        Text(this->Directions.GetTolerance()) + " instead of " + Text(this->Gap) + ".");
     }
   }
 
-  /// Farthest distance of the ring's points from their own plane, which has to have a normal.
-  double Roughness(int ring) const
+  void NoteTilt(const NearlyParallel& nearly)
   {
-    const Vector3 normal = Canonical(this->Planes[Index(ring)].AreaVector);
-    Extent extent;
-    for (int p : this->Rings[Index(ring)].Points)
+    const double degrees = nearly.LargestAngle / Degree;
+    this->Notes.AddGeneral(Counted(nearly.Tilted, "contour") + " of " +
+      std::to_string(this->Rings.size()) + (nearly.Tilted == 1 ? " is" : " are") +
+      " not quite parallel to the others or not quite flat (the largest angle is " + Text(degrees) +
+      " degrees, the farthest point " + Text(nearly.FarthestOff) +
+      " off its level): taken as parallel, as that is little beside the " + Text(nearly.Spacing) +
+      " between levels.");
+  }
+
+  // --- levels
+
+  PlaneOfRings MakePlane(const PlanarFrame& frame, const std::vector<int>& rings) const
+  {
+    PlaneOfRings plane;
+    plane.Frame = frame;
+    plane.Rings = rings;
+    OffsetRange range;
+    for (int ring : rings)
     {
-      extent.Add(Dot(normal, this->Soup.Points[Index(p)]));
+      const OffsetRange own = RangeAlong(this->Soup, this->Rings[ring], frame.Normal);
+      range.Add(own.Low);
+      range.Add(own.High);
     }
-    return 0.5 * extent.Size();
+    plane.Offset = range.Middle();
+    plane.Thickness = std::max(range.High - plane.Offset, plane.Offset - range.Low);
+    return plane;
   }
 
-  /// Empty where the ring is thicker than the tolerance allows; stops at the first point that shows
-  /// it.
-  std::optional<Extent> FlatAlong(const Vector3& normal, int ring) const
+  /// Flat rings by level, levels by offset.
+  PlaneGrouping Levels(const Vector3& normal, const std::vector<int>& flat) const
   {
-    Extent extent;
-    for (int p : this->Rings[Index(ring)].Points)
-    {
-      extent.Add(Dot(normal, this->Soup.Points[Index(p)]));
-      if (extent.Size() > 2 * this->Tolerance)
-      {
-        return std::nullopt;
-      }
-    }
-    return extent;
-  }
-
-  bool AllFlatAlong(const Vector3& normal, const std::vector<int>& rings) const
-  {
-    return std::all_of(rings.begin(), rings.end(),
-      [&](int ring) { return this->FlatAlong(normal, ring).has_value(); });
-  }
-
-  /// The direction that most rings are flat along.
-  Vector3 CommonNormal()
-  {
-    const bool anyTrusted = !this->ByArea.empty() && this->Planes[Index(this->ByArea[0])].Trusted;
-    std::vector<bool> assigned(this->Rings.size(), false);
-    Direction best;
-    std::size_t step = 0;
-    for (int seed : this->ByArea)
-    {
-      const RingPlane& plane = this->Planes[Index(seed)];
-      if (assigned[Index(seed)] || !plane.HasNormal || (anyTrusted && !plane.Trusted))
-      {
-        continue;
-      }
-      if (step++ % 64 == 0)
-      {
-        this->Progress.Update(0.2, "finding planes");
-      }
-      Direction direction;
-      direction.Normal = Canonical(plane.AreaVector);
-      assigned[Index(seed)] = true;
-      this->Collect(seed, anyTrusted, assigned, direction);
-      if (direction.Rings.size() > best.Rings.size() ||
-        (direction.Rings.size() == best.Rings.size() && direction.Area > best.Area))
-      {
-        best = std::move(direction);
-      }
-    }
-    return best.Rings.empty() ? best.Normal : this->Refined(best);
-  }
-
-  void Collect(int seed, bool onlyTrusted, std::vector<bool>& assigned, Direction& direction) const
-  {
-    for (int ring : this->ByArea)
-    {
-      const RingPlane& plane = this->Planes[Index(ring)];
-      const bool open = ring == seed || (!assigned[Index(ring)] && (plane.Trusted || !onlyTrusted));
-      if (open && (ring == seed || this->FlatAlong(direction.Normal, ring)))
-      {
-        assigned[Index(ring)] = true;
-        direction.Rings.push_back(ring);
-        direction.Area += Norm(plane.AreaVector);
-      }
-    }
-  }
-
-  /// An axis where that is as good; else the mean by area, where that is as good; else as it is.
-  Vector3 Refined(const Direction& direction) const
-  {
-    const Vector3 axis = NearestAxis(direction.Normal);
-    if (this->AllFlatAlong(axis, direction.Rings))
-    {
-      return axis;
-    }
-    Vector3 sum{ 0, 0, 0 };
-    for (int ring : direction.Rings)
-    {
-      const Vector3& a = this->Planes[Index(ring)].AreaVector;
-      sum = sum + (Dot(a, direction.Normal) < 0 ? -1.0 : 1.0) * a;
-    }
-    const Vector3 mean = Canonical(sum);
-    return this->AllFlatAlong(mean, direction.Rings) ? mean : direction.Normal;
-  }
-
-  /// Rings sorted by offset, a new level wherever the offsets of their points leave a gap.
-  PlaneGrouping Levels(const Vector3& normal, std::vector<std::pair<Extent, int>>& flat) const
-  {
-    std::sort(flat.begin(), flat.end(),
-      [](const auto& a, const auto& b)
-      { return std::tie(a.first.Low, a.second) < std::tie(b.first.Low, b.second); });
     PlaneGrouping grouping;
     grouping.Parallel = true;
-    const PlanarFrame frame = MakeFrame(normal);
-    for (std::size_t i = 0; i < flat.size();)
+    const PlanarFrame frame = PlanarFrame::About(normal);
+    std::map<int, std::vector<int>> groups;
+    LevelGrouping levels;
+    if (!this->LevelsAreKnown)
     {
-      PlaneOfRings plane;
-      plane.Frame = frame;
-      Extent extent;
-      for (;
-           i < flat.size() && (plane.Rings.empty() || flat[i].first.Low - extent.High <= this->Gap);
-           ++i)
+      std::vector<LevelCandidate> candidates;
+      for (int ring : flat)
       {
-        plane.Rings.push_back(flat[i].second);
-        extent.Add(flat[i].first.Low);
-        extent.Add(flat[i].first.High);
+        candidates.push_back(this->Directions.CandidateOf(frame, ring));
       }
-      plane.Offset = extent.Middle();
-      std::sort(plane.Rings.begin(), plane.Rings.end());
-      grouping.Planes.push_back(std::move(plane));
+      levels = GroupLevels(candidates, this->Options.Tolerance, this->Soup.Millimetres);
     }
+    for (std::size_t i = 0; i < flat.size(); ++i)
+    {
+      groups[this->LevelsAreKnown ? this->Rings[flat[i]].Level : levels.LevelOf[i]].push_back(
+        flat[i]);
+    }
+    for (const auto& [level, rings] : groups)
+    {
+      grouping.Planes.push_back(this->MakePlane(frame, rings));
+    }
+    this->NoteMerged(levels, grouping.Planes);
+    std::stable_sort(grouping.Planes.begin(), grouping.Planes.end(),
+      [](const PlaneOfRings& a, const PlaneOfRings& b) { return a.Offset < b.Offset; });
     return grouping;
+  }
+
+  void NoteMerged(const LevelGrouping& levels, const std::vector<PlaneOfRings>& planes) const
+  {
+    if (levels.Merged.empty())
+    {
+      return;
+    }
+    std::string places;
+    for (std::size_t i = 0; i < std::min<std::size_t>(3, levels.Merged.size()); ++i)
+    {
+      places += (i == 0 ? "" : ", ") + Text(planes[levels.Merged[i]].Offset);
+    }
+    if (levels.Merged.size() > 3)
+    {
+      places += " and " + std::to_string(levels.Merged.size() - 3) + " more";
+    }
+    this->Notes.AddGeneral("On " + Counted(levels.Merged.size(), "level") + " of " +
+      std::to_string(levels.Count) + " (at offset " + places + ") contours lie up to " +
+      Text(levels.WidestMerge) + " apart along the normal: taken as one level each, as all " +
+      "that is nearer than " + Text(levels.Tolerance) +
+      (this->Options.Tolerance > 0 ? " (PlaneTolerance)."
+                                   : " is (found from the spacing; PlaneTolerance sets it)."));
+  }
+
+  static void SortByFirstRing(std::vector<PlaneOfRings>& planes)
+  {
+    std::sort(planes.begin(), planes.end(),
+      [](const PlaneOfRings& a, const PlaneOfRings& b) { return a.Rings[0] < b.Rings[0]; });
   }
 
   /// Every ring joins the plane it is nearest to, where that is within tolerance, or starts a new
@@ -337,13 +245,13 @@ private:
   PlaneGrouping AnyPlanes()
   {
     PlaneGrouping grouping;
-    for (std::size_t i = 0; i < this->ByArea.size(); ++i)
+    for (std::size_t i = 0; i < this->Directions.GetByArea().size(); ++i)
     {
       if (i % 64 == 0)
       {
         this->Progress.Update(0.25, "finding planes");
       }
-      const int ring = this->ByArea[i];
+      const int ring = this->Directions.GetByArea()[i];
       PlaneOfRings* nearest = this->NearestPlane(grouping.Planes, ring);
       if (nearest)
       {
@@ -357,29 +265,30 @@ private:
       }
       else
       {
-        this->NoteNotPlanar(ring);
+        this->NoteNotPlanar(ring, this->Directions.GetTolerance(), "");
       }
     }
     for (PlaneOfRings& plane : grouping.Planes)
     {
       std::sort(plane.Rings.begin(), plane.Rings.end());
+      const PlaneOfRings tight = this->MakePlane(plane.Frame, plane.Rings);
+      plane.Thickness = tight.Thickness + std::abs(tight.Offset - plane.Offset);
     }
-    std::sort(grouping.Planes.begin(), grouping.Planes.end(),
-      [](const PlaneOfRings& a, const PlaneOfRings& b) { return a.Rings[0] < b.Rings[0]; });
+    SortByFirstRing(grouping.Planes);
     return grouping;
   }
 
   PlaneOfRings* NearestPlane(std::vector<PlaneOfRings>& planes, int ring) const
   {
     PlaneOfRings* nearest = nullptr;
-    double least = this->Tolerance;
+    double least = this->Directions.GetTolerance();
     for (PlaneOfRings& plane : planes)
     {
       double farthest = 0;
-      for (int p : this->Rings[Index(ring)].Points)
+      for (int p : this->PointsOf(ring))
       {
-        farthest = std::max(
-          farthest, std::abs(plane.Frame.OffsetOf(this->Soup.Points[Index(p)]) - plane.Offset));
+        farthest =
+          std::max(farthest, std::abs(plane.Frame.OffsetOf(this->Soup.Points[p]) - plane.Offset));
         if (farthest > least)
         {
           break;
@@ -396,112 +305,118 @@ private:
 
   std::optional<PlaneOfRings> OwnPlane(int ring) const
   {
-    const RingPlane& own = this->Planes[Index(ring)];
+    const RingPlane& own = this->Directions.PlaneOf(ring);
     if (!own.HasNormal)
     {
       return std::nullopt;
     }
-    Vector3 normal = Canonical(own.AreaVector);
-    std::optional<Extent> extent = this->FlatAlong(NearestAxis(normal), ring);
-    if (extent)
+    Vector3 normal = CanonicalNormal(own.AreaVector);
+    std::optional<OffsetRange> range = this->Directions.FlatAlong(NearestAxis(normal), ring);
+    if (range)
     {
       normal = NearestAxis(normal);
     }
     else
     {
-      extent = this->FlatAlong(normal, ring);
+      range = this->Directions.FlatAlong(normal, ring);
     }
-    if (!extent)
+    if (!range)
     {
       return std::nullopt;
     }
     PlaneOfRings plane;
-    plane.Frame = MakeFrame(normal);
-    plane.Offset = extent->Middle();
+    plane.Frame = PlanarFrame::About(normal);
+    plane.Offset = range->Middle();
     plane.Rings = { ring };
     return plane;
   }
 
-  void NoteOtherDirection(int ring)
+  // --- what is left out
+
+  void NoteOtherDirections(
+    const Vector3& normal, const std::vector<int>& flat, PlaneGrouping& grouping)
+  {
+    std::vector<bool> kept(this->Rings.size(), false);
+    for (int ring : flat)
+    {
+      kept[ring] = true;
+    }
+    std::size_t others = 0;
+    for (std::size_t i = 0; i < this->Rings.size(); ++i)
+    {
+      if (!kept[i])
+      {
+        others += this->NoteOtherDirection(normal, static_cast<int>(i)) ? 1 : 0;
+      }
+    }
+    if (2 * others > this->Rings.size())
+    {
+      grouping.Warning = std::to_string(others) + " of " + Counted(this->Rings.size(), "contour") +
+        (others == 1 ? " lies in a plane that is" : " lie in other planes that are") +
+        " not parallel to the rest: Implicit Surface takes contours of planes of any direction.";
+    }
+  }
+
+  /// Was it for its direction that the ring was left out?
+  bool NoteOtherDirection(const Vector3& normal, int ring)
   {
     const std::optional<PlaneOfRings> own = this->OwnPlane(ring);
     if (!own)
     {
-      this->NoteNotPlanar(ring);
-      return;
+      this->NoteNotPlanar(
+        ring, this->Directions.GetTolerance(), ", or a fifth of the distance to the next level");
+      return false;
+    }
+    if (this->Directions.AngleTo(normal, ring) <= RingDirections::MostTilt)
+    {
+      const double off = 0.5 * RangeAlong(this->Soup, this->Rings[ring], normal).Size();
+      this->Note(ring,
+        "is tilted by " + Text(this->Directions.AngleTo(normal, ring) / Degree) +
+          " degrees, so that its points are up to " + Text(off) +
+          " off a level, more than a fifth of the distance to the next one; left out (a larger "
+          "PlaneTolerance keeps it, and Implicit Surface takes it as it is)");
+      return true;
     }
     const Vector3& n = own->Frame.Normal;
     this->Note(ring,
       "lies in a plane of normal (" + Text(n[0]) + ", " + Text(n[1]) + ", " + Text(n[2]) +
         "), which is not parallel to the others; left out");
+    return true;
   }
 
-  void NoteNotPlanar(int ring)
+  void NoteNotPlanar(int ring, double allowed, const std::string& alternative)
   {
-    const RingPlane& own = this->Planes[Index(ring)];
+    const RingPlane& own = this->Directions.PlaneOf(ring);
     if (!own.HasNormal)
     {
       this->Note(ring, "encloses no area, its points lie on a line; left out");
       return;
     }
     this->Note(ring,
-      "is not planar, its points lie up to " + Text(this->Roughness(ring)) +
-        " off their plane where " + Text(this->Tolerance) + " is allowed; left out");
+      "is not planar, its points lie up to " + Text(own.Roughness) + " off their plane where " +
+        Text(allowed) + alternative + " is allowed; left out (a larger PlaneTolerance keeps it)");
   }
 
   void Note(int ring, const std::string& what)
   {
-    const Ring& r = this->Rings[Index(ring)];
+    const Ring& r = this->Rings[ring];
     this->Notes.Add(r.Source, r.Points.size(), r.Points[0], what);
   }
 
   const LoopSoup& Soup;
   const std::vector<Ring>& Rings;
-  double Gap;       ///< as the caller gave it
-  double Tolerance; ///< the same, or more where the rings are rough
+  const PlaneOptions& Options;
+  double Gap; ///< that a point may be off a plane whatever the rings are like
+  RingDirections Directions;
   ContourNotes& Notes;
   Monitor& Progress;
-  std::vector<RingPlane> Planes;
-  std::vector<int> ByArea;
+  bool LevelsAreKnown = false;
 };
 }
 
-PlanarFrame MakeFrame(const Vector3& unitNormal)
+PlaneGrouping GroupByPlane(const LoopSoup& soup, const std::vector<Ring>& rings,
+  const PlaneOptions& options, ContourNotes& notes, Monitor& monitor)
 {
-  PlanarFrame frame;
-  frame.Normal = unitNormal;
-  if (unitNormal[0] == 1)
-  {
-    frame.U = { 0, 1, 0 };
-    frame.V = { 0, 0, 1 };
-    return frame;
-  }
-  if (unitNormal[1] == 1)
-  {
-    frame.U = { 0, 0, 1 };
-    frame.V = { 1, 0, 0 };
-    return frame;
-  }
-  if (unitNormal[2] == 1)
-  {
-    return frame;
-  }
-  std::size_t least = 0;
-  for (std::size_t k = 1; k < 3; ++k)
-  {
-    least = std::abs(unitNormal[k]) < std::abs(unitNormal[least]) ? k : least;
-  }
-  Vector3 axis{ 0, 0, 0 };
-  axis[least] = 1;
-  const Vector3 u = Cross(axis, unitNormal);
-  frame.U = (1 / Norm(u)) * u;
-  frame.V = Cross(unitNormal, frame.U);
-  return frame;
-}
-
-PlaneGrouping GroupByPlane(const LoopSoup& soup, const std::vector<Ring>& rings, bool onlyParallel,
-  double tolerance, ContourNotes& notes, Monitor& monitor)
-{
-  return Grouper(soup, rings, tolerance, notes, monitor).Group(onlyParallel);
+  return Grouper(soup, rings, options, notes, monitor).Group();
 }
 }

@@ -10,6 +10,7 @@
 #include "Contours/ContourChaining.h"
 #include "Contours/ContourNotes.h"
 
+#include <string>
 #include <vector>
 
 namespace recon
@@ -19,6 +20,7 @@ struct PlaneOfRings
 {
   PlanarFrame Frame;
   double Offset = 0; ///< along Frame.Normal; exact where all points agree and the normal is an axis
+  double Thickness = 0; ///< farthest distance of a point from the plane
   std::vector<int> Rings;
 };
 
@@ -26,6 +28,16 @@ struct PlaneGrouping
 {
   bool Parallel = false; ///< one common normal; offsets increase
   std::vector<PlaneOfRings> Planes;
+  std::string Warning; ///< see ContourSet::Warning
+};
+
+struct PlaneOptions
+{
+  /// Rings of other directions are left out; otherwise each plane of theirs is a group, in the
+  /// order of the first ring in it.
+  bool OnlyParallel = true;
+  double Tolerance = 0; ///< as ContourSetOptions::PlaneTolerance
+  double Size = 0;      ///< diagonal of the bounding box
 };
 
 /**
@@ -36,16 +48,17 @@ struct PlaneGrouping
  * common normal is the one that most rings agree on (then the most area), exactly a coordinate axis
  * where that is within tolerance, and otherwise with a positive largest component.
  *
- * @param onlyParallel rings of other directions are left out; otherwise each plane of theirs is a
- * group, in the order of the first ring in it
- * @param tolerance farthest distance of a point from its plane, in the input's units; up to 30
- * times as much, with a sentence in notes, where rings are no flatter in their own planes
+ * How far a ring may be off its plane: 1e-5 of the diagonal or the caller's tolerance, more where
+ * the rings show that their coordinates were rounded (30 times as much, or two steps of the
+ * rounding), and in any case a fifth of the distance to the next level, if the rings' own planes are
+ * within three degrees of the common one. Anything above the first is told in one sentence of
+ * notes.
+ *
+ * Which parallel rings are one level: GroupLevels. Where the soup says of all rings in which level
+ * they are, and they still lie there, those levels are kept.
  */
-PlaneGrouping GroupByPlane(const LoopSoup& soup, const std::vector<Ring>& rings, bool onlyParallel,
-  double tolerance, ContourNotes& notes, Monitor& monitor);
-
-/// The frame of PlanarFrame's comment for any unit normal.
-PlanarFrame MakeFrame(const Vector3& unitNormal);
+PlaneGrouping GroupByPlane(const LoopSoup& soup, const std::vector<Ring>& rings,
+  const PlaneOptions& options, ContourNotes& notes, Monitor& monitor);
 }
 
 #endif

@@ -8,8 +8,11 @@
 
 #include "Base/BoundingBox.h"
 #include "Base/Geometry.h"
+#include "Base/Median.h"
 
+#include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace recon
@@ -25,10 +28,20 @@ struct LoopSoup
     std::vector<int> Points; ///< indices into LoopSoup::Points
     bool Closed = false; ///< an edge joins the last point to the first (which need not be repeated)
     int Source = -1;     ///< number of the input cell, for the report
+    int Level = -1;      ///< index into LoopSoup::Levels where an earlier filter found its level
     bool ExclusiveOr = false; ///< defined by even-odd whatever the rule (DICOM CLOSEDPLANAR_XOR)
+  };
+  /// A level that an earlier filter has found.
+  struct KnownLevel
+  {
+    Vector3 Normal{ 0, 0, 1 };
+    double Offset = 0;
+    double Thickness = 0; ///< see Level::Thickness
   };
   std::vector<Point3> Points;
   std::vector<Chain> Chains;
+  std::vector<KnownLevel> Levels;
+  bool Millimetres = false; ///< the unit is known to be the millimetre, as in DICOM
 };
 
 /**
@@ -60,7 +73,8 @@ enum class HoleRule
 struct Level
 {
   PlanarFrame Frame;
-  double Offset = 0; ///< along Frame.Normal
+  double Offset = 0;    ///< along Frame.Normal
+  double Thickness = 0; ///< farthest distance of a point from the plane, in the input's units
   /// In-plane coordinates are whole multiples of it; 0: they are those of the input, as they are.
   double Grid = 0;
   std::vector<int> Contours; ///< indices into ContourSet::Contours
@@ -84,6 +98,9 @@ struct ContourSet
   std::vector<Contour> Contours;
   std::vector<Level> Levels;
   std::vector<std::string> Report; ///< a sentence for everything repaired or left out
+  /// A sentence where so much was left out that the set is not what was drawn; also in Report. What
+  /// shows a result to a user shows this as a warning.
+  std::string Warning;
 
   /// The box around all points of contours.
   Box3 Bounds() const
@@ -97,6 +114,17 @@ struct ContourSet
       }
     }
     return box;
+  }
+
+  /// Median distance of neighbouring levels, 0 where there are none.
+  double Spacing() const
+  {
+    std::vector<double> distances;
+    for (std::size_t l = 1; l < this->Levels.size(); ++l)
+    {
+      distances.push_back(this->Levels[l].Offset - this->Levels[l - 1].Offset);
+    }
+    return Median(std::move(distances));
   }
 };
 }

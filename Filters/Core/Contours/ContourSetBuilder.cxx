@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Contours/ContourSetBuilder.h"
 
+#include "Base/BoundingBox.h"
 #include "Contours/ContourChaining.h"
 #include "Contours/ContourNotes.h"
 #include "Contours/ContourPlanes.h"
 #include "Contours/HoleExplanation.h"
+#include "Contours/OpenLines.h"
 #include "Contours/PlanarRings.h"
 #include "Planar/HoleRule.h"
 #include "Planar/LoopTwins.h"
@@ -22,35 +24,24 @@ namespace recon
 {
 namespace
 {
-std::size_t Index(int i)
-{
-  return static_cast<std::size_t>(i);
-}
+// Loose ends nearer to each other than this part of the diagonal are one.
+constexpr double EndShare = 1e-5;
 
-/// Diagonal of the box around all finite points that chains use.
-double SizeOf(const LoopSoup& soup)
+/// The box around all finite points that chains use.
+Box3 BoundsOf(const LoopSoup& soup)
 {
-  Point3 low{ 0, 0, 0 };
-  Point3 high{ 0, 0, 0 };
-  bool any = false;
+  Box3 box;
   for (const LoopSoup::Chain& chain : soup.Chains)
   {
     for (int p : chain.Points)
     {
-      if (p < 0 || Index(p) >= soup.Points.size() || !std::isfinite(Norm(soup.Points[Index(p)])))
+      if (p >= 0 && p < static_cast<int>(soup.Points.size()) && std::isfinite(Norm(soup.Points[p])))
       {
-        continue;
+        box.Add(soup.Points[p]);
       }
-      const Point3& x = soup.Points[Index(p)];
-      for (std::size_t k = 0; k < 3; ++k)
-      {
-        low[k] = any ? std::min(low[k], x[k]) : x[k];
-        high[k] = any ? std::max(high[k], x[k]) : x[k];
-      }
-      any = true;
     }
   }
-  return Norm(high - low);
+  return box;
 }
 
 /// What was the matter with loops that had to be resolved, in brackets.
@@ -93,13 +84,12 @@ public:
 
   ContourSet Build()
   {
-    const double fraction = this->Options.PlaneTolerance;
-    if (!(fraction >= 0 && fraction < 1))
+    if (!(this->Options.PlaneTolerance >= 0 && std::isfinite(this->Options.PlaneTolerance)))
     {
       throw Error(
-        "The plane tolerance is a fraction of the contours' size: give a number from 0 to "
-        "below 1 instead of " +
-        Text(fraction) + ".");
+        "The plane tolerance is a distance in the unit of the contours: give 0 (found from "
+        "the contours) or a positive number instead of " +
+        Text(this->Options.PlaneTolerance) + ".");
     }
     if (!(this->Options.SnapTolerance >= 0 && std::isfinite(this->Options.SnapTolerance)))
     {
@@ -107,11 +97,16 @@ public:
                   "automatic one, or a positive number, instead of " +
         Text(this->Options.SnapTolerance) + ".");
     }
-    const double tolerance = fraction * SizeOf(this->Soup);
-    this->Rings = ChainRings(this->Soup, tolerance, this->Notes, this->Progress);
+    const double size = BoundsOf(this->Soup).Diagonal();
+    this->ChainAndClose(size);
     this->FindLargestCoordinate();
-    const PlaneGrouping grouping = GroupByPlane(
-      this->Soup, this->Rings, this->Options.Parallel, tolerance, this->Notes, this->Progress);
+    PlaneOptions planes;
+    planes.OnlyParallel = this->Options.Parallel;
+    planes.Tolerance = this->Options.PlaneTolerance;
+    planes.Size = size;
+    const PlaneGrouping grouping =
+      GroupByPlane(this->Soup, this->Rings, planes, this->Notes, this->Progress);
+    this->AddWarning(grouping.Warning);
     this->Set.Parallel = grouping.Parallel;
     const auto count = static_cast<double>(grouping.Planes.size());
     for (std::size_t i = 0; i < grouping.Planes.size(); ++i)
@@ -124,13 +119,66 @@ public:
     {
       common = grouping.Planes[0].Frame;
     }
-    this->Set.Report = this->Notes.Sentences(common);
+    this->Set.Report = this->Notes.Sentences(common, this->Set.Contours.size());
+    if (!this->Set.Warning.empty())
+    {
+      this->Set.Report.insert(this->Set.Report.begin(), this->Set.Warning);
+    }
     this->ThrowWhereEmpty();
     this->Progress.Update(1, "resolving contours");
     return std::move(this->Set);
   }
 
 private:
+  void ChainAndClose(double size)
+  {
+    ChainedRings chained =
+      ChainRings(this->Soup, EndShare * size, this->Notes, this->Progress, true);
+    this->Rings = std::move(chained.Rings);
+    std::size_t left = 0;
+    for (OpenLine& line : chained.Open)
+    {
+      const bool closes = this->Options.OpenLines == OpenLineRule::Chord && line.Points.size() >= 3;
+      this->Notes.Add(line.Source, line.Points.size(), line.Points[0],
+        "is open, its ends are " + Text(GapOf(this->Soup, line)) + " apart; " +
+          (closes ? "closed by a straight line, as OpenLines asks" : "left out"));
+      if (closes)
+      {
+        this->Rings.push_back({ std::move(line.Points), line.Source, -1 });
+      }
+      left += closes ? 0 : 1;
+    }
+    if (left > this->Rings.size() && !this->Rings.empty())
+    {
+      this->AddWarning(std::to_string(left) + " of " +
+        Counted(left + this->Rings.size(), "contour") + (left == 1 ? " is" : " are") +
+        " open and left out, so that the result is only a part of what was drawn: OpenLines closes "
+        "them by a straight line (Chord) or along the border of the data (Border).");
+    }
+    this->HasOpenLinesOnly = left > 0 && this->Rings.empty() && this->IsNoChainClosed();
+  }
+
+  /// Lines and points, and nothing that was meant to be a contour?
+  bool IsNoChainClosed() const
+  {
+    const auto isUsable = [this](int p)
+    {
+      return p >= 0 && p < static_cast<int>(this->Soup.Points.size()) &&
+        std::isfinite(Norm(this->Soup.Points[p]));
+    };
+    return std::all_of(this->Soup.Chains.begin(), this->Soup.Chains.end(),
+      [&](const LoopSoup::Chain& chain)
+      {
+        return chain.Points.size() < 2 ||
+          (!chain.Closed && std::all_of(chain.Points.begin(), chain.Points.end(), isUsable));
+      });
+  }
+
+  void AddWarning(const std::string& sentence)
+  {
+    this->Set.Warning += (this->Set.Warning.empty() || sentence.empty() ? "" : " ") + sentence;
+  }
+
   void ThrowWhereEmpty() const
   {
     if (!this->Set.Contours.empty())
@@ -142,8 +190,14 @@ private:
       throw Error("There are no contours: give closed polylines, polygons or loose segments.");
     }
     const std::size_t more = this->Set.Report.size() - 1;
-    throw Error("No usable contour is left. " + this->Set.Report.front() +
-      (more > 0 ? " (And " + Counted(more, "more sentence") + " like this.)" : ""));
+    const std::string sentences = this->Set.Report.front() +
+      (more > 0 ? " (And " + Counted(more, "more sentence") + " like this.)" : "");
+    if (this->HasOpenLinesOnly)
+    {
+      throw NothingToDo("There are open lines only, which enclose nothing: nothing to do. " +
+        sentences + " (OpenLines closes such lines.)");
+    }
+    throw Error("No usable contour is left. " + sentences);
   }
 
   void AddLevel(const PlaneOfRings& plane)
@@ -194,7 +248,7 @@ private:
       FindLoopTwins(rings.Points, rings.Loops, this->UnitsOf(rings), tracedAgain);
     for (const LoopTwin& twin : twins)
     {
-      const Ring& of = this->Rings[Index(rings.Rings[Index(twin.Of)])];
+      const Ring& of = this->Rings[rings.Rings[twin.Of]];
       this->NoteLoops(rings, { twin.Loop },
         "is the same as that of cell " + std::to_string(of.Source) +
           (twin.WithinRounding ? " within rounding" : " traced again") + " (at most " +
@@ -221,7 +275,7 @@ private:
     const std::vector<LoopTwin> twins = FindLoopTwins(rings.Points, loops, units, false);
     for (auto twin = twins.rbegin(); twin != twins.rend(); ++twin)
     {
-      this->NoteLoops(rings, { result.Loops[Index(twin->Loop)].Origin },
+      this->NoteLoops(rings, { result.Loops[twin->Loop].Origin },
         "goes around once more within " + Text(twin->Apart) + " of another; left out");
       result.Loops.erase(result.Loops.begin() + twin->Loop);
     }
@@ -237,7 +291,7 @@ private:
       std::vector<double> numbers;
       for (std::size_t k = 0; k < 3; ++k)
       {
-        const std::vector<double> column = this->CoordinatesOf(this->Rings[Index(r)], k);
+        const std::vector<double> column = this->CoordinatesOf(this->Rings[r], k);
         if (std::any_of(column.begin(), column.end(), [&](double x) { return x != column[0]; }))
         {
           numbers.insert(numbers.end(), column.begin(), column.end());
@@ -253,7 +307,7 @@ private:
     std::vector<double> coordinates;
     for (int p : ring.Points)
     {
-      coordinates.push_back(this->Soup.Points[Index(p)][axis]);
+      coordinates.push_back(this->Soup.Points[p][axis]);
     }
     return coordinates;
   }
@@ -264,7 +318,7 @@ private:
     {
       for (int p : ring.Points)
       {
-        for (double x : this->Soup.Points[Index(p)])
+        for (double x : this->Soup.Points[p])
         {
           this->Largest = std::max(this->Largest, std::abs(x));
         }
@@ -275,7 +329,7 @@ private:
   bool IsExclusiveOr(const PlanarRings& rings) const
   {
     return std::any_of(rings.Rings.begin(), rings.Rings.end(),
-      [this](int r) { return this->ExclusiveOrSources.count(this->Rings[Index(r)].Source) > 0; });
+      [this](int r) { return this->ExclusiveOrSources.count(this->Rings[r].Source) > 0; });
   }
 
   /// How the holes among loops were drawn.
@@ -283,14 +337,14 @@ private:
     const NestingForest& forest, HoleFindings& found)
   {
     const auto isPositive = [&](int origin)
-    { return SignedAreaOf(rings.Points, rings.Loops[Index(origin)]) > 0; };
+    { return SignedAreaOf(rings.Points, rings.Loops[origin]) > 0; };
     for (std::size_t l = 0; l < origins.size(); ++l)
     {
       if (forest.Depth[l] % 2 == 0)
       {
         continue;
       }
-      const int around = origins[Index(forest.Parent[l])];
+      const int around = origins[forest.Parent[l]];
       if (around == origins[l])
       {
         ++found.Keyholes;
@@ -308,14 +362,14 @@ private:
     std::size_t points = 0;
     for (int l : loops)
     {
-      const Ring& ring = this->Rings[Index(rings.Rings[Index(l)])];
+      const Ring& ring = this->Rings[rings.Rings[l]];
       points += ring.Points.size();
       if (std::find(sources.begin(), sources.end(), ring.Source) == sources.end())
       {
         sources.push_back(ring.Source);
       }
     }
-    const Ring& first = this->Rings[Index(rings.Rings[Index(loops[0])])];
+    const Ring& first = this->Rings[rings.Rings[loops[0]]];
     this->Notes.Add(std::move(sources), points, first.Points[0], what);
   }
 
@@ -326,7 +380,7 @@ private:
     {
       return std::string("lies within solid by the ") + cluster.Rule + " rule";
     }
-    const bool flat = SignedAreaOf(rings.Points, rings.Loops[Index(cluster.Loops[0])]) == 0;
+    const bool flat = SignedAreaOf(rings.Points, rings.Loops[cluster.Loops[0]]) == 0;
     return flat ? "encloses no area"
                 : "is narrower than the snap tolerance of " + Text(cluster.Tolerance);
   }
@@ -380,7 +434,7 @@ private:
       areas.push_back(std::abs(area));
       loops.push_back(std::move(loop.Points));
       origins.push_back(loop.Origin);
-      sources.push_back(this->Rings[Index(rings.Rings[Index(loop.Origin)])].Source);
+      sources.push_back(this->Rings[rings.Rings[loop.Origin]].Source);
     }
     if (loops.empty())
     {
@@ -391,6 +445,7 @@ private:
     Level level;
     level.Frame = plane.Frame;
     level.Offset = plane.Offset;
+    level.Thickness = plane.Thickness;
     level.Grid = PlanarGridOf(plane.Frame, this->Largest);
     CountHoles(rings, origins, forest, found);
     level.HoleNote = DescribeHoles(rule, found);
@@ -420,15 +475,15 @@ private:
 
   int PointOf(int p, const Level& level, const PlanarRings& rings, std::vector<int>& pointMap)
   {
-    int& mapped = pointMap[Index(p)];
+    int& mapped = pointMap[p];
     if (mapped < 0)
     {
       mapped = static_cast<int>(this->Set.Points.size());
-      const Point2& planar = rings.Points[Index(p)];
-      const bool given = Index(p) < rings.InputPoint.size();
+      const Point2& planar = rings.Points[p];
+      const bool given = p < static_cast<int>(rings.InputPoint.size());
       this->Set.Planar.push_back(planar);
-      this->Set.Points.push_back(given ? this->Soup.Points[Index(rings.InputPoint[Index(p)])]
-                                       : level.Frame.ToSpace(planar, level.Offset));
+      this->Set.Points.push_back(
+        given ? this->Soup.Points[rings.InputPoint[p]] : level.Frame.ToSpace(planar, level.Offset));
     }
     return mapped;
   }
@@ -437,6 +492,7 @@ private:
   const ContourSetOptions& Options;
   Monitor& Progress;
   ContourNotes Notes;
+  bool HasOpenLinesOnly = false;
   std::set<int> ExclusiveOrSources;
   std::vector<Ring> Rings;
   double Largest = 0; ///< coordinate of all planes, so that they have one grid
@@ -446,6 +502,13 @@ private:
 
 ContourSet BuildContourSet(const LoopSoup& soup, const ContourSetOptions& options, Monitor& monitor)
 {
+  if (options.OpenLines == OpenLineRule::Border)
+  {
+    LinesAlongBorder closed = CloseAlongBorder(soup, EndShare * BoundsOf(soup).Diagonal(), monitor);
+    ContourSet set = Builder(closed.Soup, options, monitor).Build();
+    set.Report.insert(set.Report.end(), closed.Report.begin(), closed.Report.end());
+    return set;
+  }
   return Builder(soup, options, monitor).Build();
 }
 }

@@ -11,11 +11,6 @@ namespace recon
 {
 namespace
 {
-std::size_t Index(int i)
-{
-  return static_cast<std::size_t>(i);
-}
-
 /// "83%"; what is small but not nothing does not read as 0, nor what is nearly all as 100.
 std::string Percent(double share)
 {
@@ -48,7 +43,7 @@ public:
   }
 
 private:
-  const ContourRegion& RegionAt(int region) const { return this->Mapping.Regions[Index(region)]; }
+  const ContourRegion& RegionAt(int region) const { return this->Mapping.Regions[region]; }
 
   std::string NameOf(int region) const
   {
@@ -56,7 +51,7 @@ private:
     return (r.Solid ? "contour " : "hole ") + std::to_string(r.Wall);
   }
 
-  std::string PlaceOfLevel(int level) const { return PlaceOf(this->Contours.Levels[Index(level)]); }
+  std::string PlaceOfLevel(int level) const { return PlaceOf(this->Contours.Levels[level]); }
 
   std::string NameAndPlace(int region) const
   {
@@ -95,7 +90,8 @@ private:
         return " because the join is forbidden; " + this->SharedWords() + ".";
       case ContourJoin::GapTooWide:
         return ": the levels are " + Text(this->Context.Gap) + " apart, more than " +
-          Text(this->Context.MaximumGap) + " times the usual " + Text(this->Context.Spacing) + ".";
+          Text(this->Context.MaximumGap) + " times the " + Text(this->Context.Spacing) +
+          " between the levels beside them.";
       case ContourJoin::InternalWall:
         return this->ReasonOfRuleOne();
       case ContourJoin::ByDistance:
@@ -119,7 +115,7 @@ private:
     const auto wallAround = [this](int region)
     {
       const int wall = this->RegionAt(region).Wall;
-      return std::to_string(this->Contours.Contours[Index(wall)].Parent);
+      return std::to_string(this->Contours.Contours[wall].Parent);
     };
     return ", although " + this->SharedWords() + ": the walls around them, contours " +
       wallAround(this->Join.LowerRegion) + " and " + wallAround(this->Join.UpperRegion) +

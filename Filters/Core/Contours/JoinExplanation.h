@@ -17,7 +17,7 @@ struct JoinContext
 {
   double Threshold = 0;
   double Gap = 0;         ///< thickness of the slab, in the input's units
-  double Spacing = 0;     ///< median thickness
+  double Spacing = 0;     ///< thickness of the slabs beside it, see LevelGaps::Usual
   double MaximumGap = 0;  ///< in multiples of Spacing
   double FacingSolid = 0; ///< share of a hole without partner that faces solid
   bool TooWide = false;   ///< the slab is thicker than MaximumGap allows

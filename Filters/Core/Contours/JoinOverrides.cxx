@@ -7,11 +7,6 @@ namespace recon
 {
 namespace
 {
-std::size_t Index(int i)
-{
-  return static_cast<std::size_t>(i);
-}
-
 class Resolver
 {
 public:
@@ -35,7 +30,7 @@ public:
     {
       std::swap(pair.first, pair.second);
     }
-    auto& wanted = this->Result.OfSlab[Index(this->LevelOf(pair.first))];
+    auto& wanted = this->Result.OfSlab[this->LevelOf(pair.first)];
     const auto [entry, isNew] = wanted.emplace(pair, force);
     if (!isNew && entry->second != force)
     {
@@ -48,8 +43,8 @@ public:
   JoinOverrides Take() { return std::move(this->Result); }
 
 private:
-  int LevelOf(int contour) const { return this->Contours.Contours[Index(contour)].Level; }
-  bool IsHole(int contour) const { return this->Contours.Contours[Index(contour)].Depth % 2 == 1; }
+  int LevelOf(int contour) const { return this->Contours.Contours[contour].Level; }
+  bool IsHole(int contour) const { return this->Contours.Contours[contour].Depth % 2 == 1; }
 
   /// Why a pair cannot be followed, or nothing.
   std::string TroubleWith(const std::pair<int, int>& pair) const

@@ -16,11 +16,6 @@ namespace recon
 {
 namespace
 {
-std::size_t Index(int i)
-{
-  return static_cast<std::size_t>(i);
-}
-
 /// Regions of one slab that joins link, directly or through others.
 class Links
 {
@@ -84,7 +79,7 @@ MappingGroup GroupOf(const std::vector<int>& regions, int slab, const ContourMap
   group.Slab = slab;
   for (int r : regions)
   {
-    const ContourRegion& region = mapping.Regions[Index(r)];
+    const ContourRegion& region = mapping.Regions[r];
     std::vector<int>& side = region.Level == slab ? group.LowerContours : group.UpperContours;
     side.push_back(region.Wall);
     side.insert(side.end(), region.Holes.begin(), region.Holes.end());
@@ -97,14 +92,14 @@ MappingGroup GroupOf(const std::vector<int>& regions, int slab, const ContourMap
 MappingGroup GroupOfPhi(const ContourJoin& join, const ContourMapping& mapping)
 {
   const int region = std::max(join.LowerRegion, join.UpperRegion);
-  if (mapping.Regions[Index(region)].Solid)
+  if (mapping.Regions[region].Solid)
   {
     return GroupOf({ region }, join.Slab, mapping);
   }
   MappingGroup group;
   group.Slab = join.Slab;
   (join.LowerRegion >= 0 ? group.LowerContours : group.UpperContours)
-    .push_back(mapping.Regions[Index(region)].Wall);
+    .push_back(mapping.Regions[region].Wall);
   return group;
 }
 
@@ -116,7 +111,7 @@ int LevelOf(const MappingGroup& group, const ContourSet& contours)
   {
     for (int c : *side)
     {
-      level = std::min(level, contours.Contours[Index(c)].Depth);
+      level = std::min(level, contours.Contours[c].Depth);
     }
   }
   return level;
@@ -141,11 +136,11 @@ std::vector<MappingGroup> FormMappingGroups(
   {
     if (IsPhi(join))
     {
-      ofPhi[Index(join.Slab)].push_back(GroupOfPhi(join, mapping));
+      ofPhi[join.Slab].push_back(GroupOfPhi(join, mapping));
     }
     else if (join.Joined)
     {
-      links[Index(join.Slab)].Join(join.LowerRegion, join.UpperRegion);
+      links[join.Slab].Join(join.LowerRegion, join.UpperRegion);
     }
   }
   std::vector<MappingGroup> groups;
@@ -169,7 +164,7 @@ std::vector<MappingGroup> FilterInternalWalls(
     if (IsPhi(join) && join.InternalWallRule == 3)
     {
       const int region = std::max(join.LowerRegion, join.UpperRegion);
-      ignored.insert({ join.Slab, mapping.Regions[Index(region)].Wall });
+      ignored.insert({ join.Slab, mapping.Regions[region].Wall });
     }
   }
   std::vector<MappingGroup> kept;

@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Polyhedral/MapSlabs.h"
 
+#include "Base/Text.h"
+#include "Contours/LevelGaps.h"
+
 #include <algorithm>
-#include <sstream>
 
 namespace recon
 {
 namespace
 {
 std::string GapLine(
-  const ContourSet& contours, const std::vector<SlabState>& slabs, std::size_t i, double maximumGap)
+  const ContourSet& contours, const LevelGaps& gaps, std::size_t i, double maximumGap)
 {
-  std::ostringstream line;
-  line << "The levels at offsets " << contours.Levels[i].Offset << " and "
-       << contours.Levels[i + 1].Offset << " are " << slabs[i].Thickness / MedianThickness(slabs)
-       << " times the usual spacing apart and are not joined; MaximumGap is " << maximumGap
-       << ", and 0 joins all.";
-  return line.str();
+  return "The levels at offsets " + Text(contours.Levels[i].Offset) + " and " +
+    Text(contours.Levels[i + 1].Offset) + " are " + Text(gaps.Thickness[i] / gaps.Usual[i]) +
+    " times as far apart as those beside them and are not joined; MaximumGap is " +
+    Text(maximumGap) + ", and 0 joins all.";
 }
 
 ContourMappingOptions MappingOptions(const PolyhedralOptions& options)
@@ -63,14 +63,14 @@ ContourMapping MapSlabs(const ContourSet& contours, const PolyhedralOptions& opt
   std::vector<SlabState>& slabs, std::vector<std::string>& report, Monitor& monitor)
 {
   const bool overlap = options.Mapping == PolyhedralOptions::Overlap;
-  const std::vector<unsigned char> gaps = FindGaps(contours, options.MaximumGap);
+  const LevelGaps gaps = FindLevelGaps(contours, options.MaximumGap);
   for (std::size_t i = 0; i < slabs.size(); ++i)
   {
-    slabs[i].Joins.IsGap = gaps[i] != 0;
-    slabs[i].Joins.AllByDefault = !overlap && gaps[i] == 0;
-    if (gaps[i] != 0)
+    slabs[i].Joins.IsGap = gaps.IsGap[i] != 0;
+    slabs[i].Joins.AllByDefault = !overlap && gaps.IsGap[i] == 0;
+    if (gaps.IsGap[i] != 0)
     {
-      report.push_back(GapLine(contours, slabs, i, options.MaximumGap));
+      report.push_back(GapLine(contours, gaps, i, options.MaximumGap));
     }
   }
   if (!overlap && options.ForbiddenJoins.empty() && options.ForcedJoins.empty())

@@ -42,7 +42,7 @@ struct PolyhedralOptions
   double OverlapThreshold = 0.1;                   ///< share of the smaller region, in [0, 1)
   std::vector<std::pair<int, int>> ForcedJoins;    ///< pairs of ContourId on adjacent levels
   std::vector<std::pair<int, int>> ForbiddenJoins; ///< wins over ForcedJoins
-  /// Slabs thicker than this many median spacings are not bridged; 0 = all are.
+  /// Slabs thicker than this many times those beside them are not bridged; 0 = all are.
   double MaximumGap = DefaultMaximumGap;
   LevelAlignmentMode AlignLevels = LevelAlignmentMode::Off; ///< of oblique shapes
   EndCapsType EndCaps = Flat;

@@ -322,7 +322,9 @@ PolyhedralStages BuildPolyhedralStages(const ContourSet& contours, const Polyhed
   }
   if (contours.Levels.size() < 2)
   {
-    throw Error("The contours lie in one plane only; a solid needs at least two parallel levels.");
+    throw Error(contours.Warning.empty()
+        ? "The contours lie in one plane only; a solid needs at least two parallel levels."
+        : contours.Warning);
   }
   LevelAlignment alignment = FindLevelAlignment(contours, options.AlignLevels, options.ForcedJoins);
   auto shifted = alignment.IsEmpty() ? std::unique_ptr<ContourSet>()

@@ -209,6 +209,8 @@ inline void CheckLevel(const ContourSet& set, int number, double tolerance)
   {
     places.insert(set.Planar[At(p)]);
     EXPECT_NEAR(f.OffsetOf(set.Points[At(p)]), level.Offset, tolerance);
+    EXPECT_NEAR(f.OffsetOf(set.Points[At(p)]), level.Offset,
+      level.Thickness + 1e-14 * (1 + Norm(set.Points[At(p)])));
     const Point2 planar = f.ToPlane(set.Points[At(p)]);
     for (std::size_t k = 0; k < 2; ++k)
     {

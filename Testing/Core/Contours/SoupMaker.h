@@ -69,9 +69,11 @@ public:
     return *this;
   }
 
-  ContourSet Build(bool parallel = true, double tolerance = 1e-5) const
+  ContourSet Build(bool parallel = true, double tolerance = 0,
+    OpenLineRule openLines = OpenLineRule::LeaveOut) const
   {
     ContourSetOptions options;
+    options.OpenLines = openLines;
     options.Parallel = parallel;
     options.PlaneTolerance = tolerance;
     Monitor monitor;

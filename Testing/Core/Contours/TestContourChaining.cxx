@@ -70,19 +70,85 @@ TEST(ContourChaining, SmallGapsCloseLargeOnesDoNot)
   {
     return SoupMaker()
       .Loop(Rectangle(-5, -5, -4, -4))
-      .Chain({ { 0, gap, 0 }, { 0, 1, 0 }, { 1, 1, 0 }, { 1, 0, 0 }, { 0, 0, 0 } }, false)
+      .Chain(
+        { { 0, gap, 0 }, { 0, 1, 0 }, { 0.2, 1, 0 }, { 1, 1, 0 }, { 1, 0, 0 }, { 0, 0, 0 } }, false)
       .Build();
   };
   const ContourSet closed = withGap(1e-6);
   CheckContourSet(closed, 0);
   ASSERT_EQ(closed.Contours.size(), 2u);
-  EXPECT_EQ(closed.Contours[1].Points.size(), 4u);
+  EXPECT_EQ(closed.Contours[1].Points.size(), 5u);
   EXPECT_TRUE(Reports(closed, "was closed where ends lay within"));
-  const ContourSet open = withGap(1e-2);
-  CheckContourSet(open, 0);
+  const ContourSet narrow = withGap(1e-2);
+  CheckContourSet(narrow, 0);
+  ASSERT_EQ(narrow.Contours.size(), 2u);
+  EXPECT_EQ(narrow.Contours[1].Points.size(), 6u);
+  EXPECT_EQ(narrow.Report,
+    std::vector<std::string>{
+      "Contour of cell 1 (6 points, at offset 0): was closed by a straight "
+      "line, as its ends are 0.01 apart, no more than its points (0.99)." });
+}
+
+TEST(ContourChaining, ALineIsClosedOverItsOwnSpacingAndNotFurther)
+{
+  const auto arc = [](int missing)
+  {
+    std::vector<Point2> points = Circle(0, 0, 10, 50);
+    points.resize(points.size() - static_cast<std::size_t>(missing));
+    return SoupMaker().Loop(Rectangle(20, 20, 21, 21)).Chain(SoupMaker::Lift(points, 0), false);
+  };
+  const ContourSet closed = arc(0).Build();
+  EXPECT_EQ(closed.Contours.size(), 2u) << "the ends are as far apart as the points";
+  EXPECT_TRUE(Reports(closed, "closed by a straight line"));
+  const ContourSet open = arc(1).Build();
   EXPECT_EQ(open.Contours.size(), 1u);
-  EXPECT_TRUE(
-    Reports(open, "Contour of cell 1 (5 points, at offset 0): is open, its ends are 0.01"));
+  EXPECT_TRUE(Reports(open, "Contour of cell 1 (49 points, at offset 0): is open, its ends are"));
+  EXPECT_TRUE(open.Warning.empty()) << "one of two is not most";
+  const ContourSet chord = arc(20).Build(true, 0, OpenLineRule::Chord);
+  EXPECT_EQ(chord.Contours.size(), 2u);
+  EXPECT_TRUE(Reports(chord, "closed by a straight line, as OpenLines asks"));
+  // A triangle without its third side encloses nothing that its ends could tell.
+  EXPECT_EQ(SoupMaker()
+              .Loop(Rectangle(20, 20, 21, 21))
+              .Chain({ { 0, 0, 0 }, { 1, 0, 0 }, { 0.5, 0.9, 0 } }, false)
+              .Build()
+              .Contours.size(),
+    1u);
+}
+
+TEST(ContourChaining, MostlyOpenIsSaidLoudly)
+{
+  SoupMaker maker;
+  maker.Loop(Rectangle(0, 0, 1, 1));
+  for (int i = 1; i < 4; ++i)
+  {
+    const double x = 10.0 * i;
+    maker.Chain({ { x, 0, 0 }, { x + 1, 0, 0 }, { x + 1, 9, 0 }, { x, 12, 0 } }, false);
+  }
+  const ContourSet set = maker.Build();
+  EXPECT_EQ(set.Warning.find("3 of 4 contours are open and left out"), 0u) << set.Warning;
+  EXPECT_EQ(set.Report[0], set.Warning);
+  EXPECT_TRUE(maker.Build(true, 0, OpenLineRule::Chord).Warning.empty());
+}
+
+TEST(ContourChaining, OpenLinesOnlyAreNothingToDo)
+{
+  SoupMaker wires;
+  wires.Chain({ { 0, 0, 0 }, { 1, 0, 1 }, { 2, 0, 5 } }, false).Chain({ { 9, 9, 9 } }, false);
+  EXPECT_THROW(wires.Build(), NothingToDo);
+  wires.Loop({ { 0, 0 }, { 1, 1 }, { 2, 2 } });
+  try
+  {
+    wires.Build();
+    ADD_FAILURE() << "a contour that encloses nothing";
+  }
+  catch (const NothingToDo&)
+  {
+    ADD_FAILURE() << "was meant to be a contour";
+  }
+  catch (const Error&)
+  {
+  }
 }
 
 TEST(ContourChaining, AnOpenChainOfSegmentsIsOneSentence)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Decisions, groups and filters of thesis chapter 3, on its own figure and on small cases.
 #include "Contours/ContourMapping.h"
+#include "Contours/LevelGaps.h"
 #include "Contours/MappingGroups.h"
 #include "SoupMaker.h"
 
@@ -306,12 +307,45 @@ TEST(ContourMapping, WideGapsAreNotBridged)
   EXPECT_EQ(Find(apart, 2, 3).Rule, ContourJoin::GapTooWide);
   EXPECT_EQ(Find(apart, 2, 3).Words,
     "Contour 2 (z = 2) is not joined to contour 3 (z = 8): the levels are 6 apart, more than 5.9 "
-    "times the usual 1.");
+    "times the 1 between the levels beside them.");
   EXPECT_EQ(Find(apart, 2, -1).Words,
     "Contour 2 (z = 2) ends towards z = 8: the levels are too far apart to be joined.");
   EXPECT_TRUE(Find(apart, 3, 4).Joined);
   options.ForcedJoins = { { 2, 3 } };
   EXPECT_TRUE(Find(Map(Gapped(), options), 2, 3).Joined) << "a forced join wins over the gap";
+}
+
+/// Whether each slab is a gap: "0010".
+std::string GapsOf(const std::vector<double>& offsets, double maximumGap = DefaultMaximumGap)
+{
+  SoupMaker maker;
+  for (double z : offsets)
+  {
+    maker.Loop(Rectangle(0, 0, 1000, 1000), z);
+  }
+  std::string text;
+  for (unsigned char gap : FindLevelGaps(maker.Build(), maximumGap).IsGap)
+  {
+    text += gap != 0 ? '1' : '0';
+  }
+  return text;
+}
+
+TEST(LevelGaps, AreMeasuredByTheSpacingBesideThem)
+{
+  EXPECT_EQ(GapsOf({ 0, 2, 5, 10, 20, 50, 100, 200, 500, 1000 }), "000000000") << "isobaths";
+  EXPECT_EQ(GapsOf({ -1000, -500, -200, -100, -50, -20, -10, -5, -2, 0 }), "000000000");
+  EXPECT_EQ(GapsOf({ 0, 1, 2, 3, 100, 101, 102, 103 }), "0001000") << "two stacks";
+  EXPECT_EQ(GapsOf({ 0, 10, 20, 30, 230, 231, 232, 233, 234, 235 }), "000100000")
+    << "whatever the median of all is";
+  EXPECT_EQ(GapsOf({ 0, 1, 2, 3, 100, 200, 201, 202 }), "0001100") << "a lone slice is no bridge";
+  EXPECT_EQ(GapsOf({ 0, 1, 2, 3, 8, 9, 10 }), "000000") << "a few slices that were skipped";
+  EXPECT_EQ(GapsOf({ 0, 1, 2, 7, 12, 17, 22 }), "000000") << "and a stack that goes on coarsely";
+  EXPECT_EQ(GapsOf({ 0, 1, 2, 2.1, 2.2, 2.3, 3, 4 }), "0000000") << "fine in the middle";
+  EXPECT_EQ(GapsOf({ 0, 1, 11 }), "01");
+  EXPECT_EQ(GapsOf({ 0, 100 }), "0") << "two slices";
+  EXPECT_EQ(GapsOf({ 5 }), "");
+  EXPECT_EQ(GapsOf({ 0, 1, 2, 3, 100, 101, 102, 103 }, 0), "0000000") << "no limit";
 }
 
 TEST(ContourMapping, ATipBesideItsContourIsJoined)

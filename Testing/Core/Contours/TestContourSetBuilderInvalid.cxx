@@ -32,7 +32,7 @@ void ExpectOnlyTheSquare(const SoupMaker& maker, const std::string& sentence)
   EXPECT_EQ(set.Report[0], sentence);
 }
 
-std::string ErrorOf(const SoupMaker& maker, double tolerance = 1e-5)
+std::string ErrorOf(const SoupMaker& maker, double tolerance = 0)
 {
   try
   {
@@ -131,6 +131,32 @@ TEST(ContourSetBuilderInvalid, NotPlanar)
     "up to 0.25 off their plane"));
 }
 
+TEST(ContourSetBuilderInvalid, OneSentenceAKindTheImportantFirst)
+{
+  SoupMaker maker = GoodSquare();
+  for (int i = 0; i < 5; ++i)
+  {
+    const double x = 10.0 * (i + 1);
+    maker.Chain({ { x, 5, 3 }, { x + 1.5 + i, 5, 3 } }, true);
+  }
+  maker.Loop({ { 0, 20 }, { 1, 20 }, { 1, 20 }, { 0, 21 } }, 3);
+  maker.Loop({ { 5, 20 }, { 6, 20 }, { 6, 20 }, { 6, 20 }, { 5, 21 } }, 3);
+  maker.Chain({ { 5, 50, 3 }, { 6, 50, 3 }, { 6, 51, 3 }, { 5, 57, 3 } }, false);
+  const ContourSet set = maker.Build();
+  CheckContourSet(set, 0);
+  EXPECT_EQ(set.Report,
+    (std::vector<std::string>{ "6 contours were left out, 3 are kept.",
+      "5 contours, the first of cell 1 (2 points, at offset 3): has only 2 distinct points, which "
+      "enclose "
+      "nothing; "
+      "left out. Likewise cell 2 (2 points, at offset 3), cell 3 (2 points, at offset 3) and 2 "
+      "more.",
+      "Contour of cell 8 (4 points, at offset 3): is open, its ends are 7 apart; left out.",
+      "2 contours, the first of cell 6 (4 points, at offset 3): 1 point equal to the one before "
+      "was removed. "
+      "Likewise cell 7 (5 points, at offset 3)." }));
+}
+
 TEST(ContourSetBuilderInvalid, NothingUsableIsAnError)
 {
   EXPECT_EQ(ErrorOf(SoupMaker()),
@@ -147,7 +173,7 @@ TEST(ContourSetBuilderInvalid, NothingUsableIsAnError)
 
 TEST(ContourSetBuilderInvalid, ToleranceThatIsNone)
 {
-  for (double tolerance : { -1.0, 1.0, NaN, Infinity })
+  for (double tolerance : { -1.0, -1e-300, NaN, Infinity })
   {
     EXPECT_NE(ErrorOf(GoodSquare(), tolerance).find("plane tolerance"), std::string::npos);
   }

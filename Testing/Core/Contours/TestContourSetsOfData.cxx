@@ -15,22 +15,23 @@ using namespace recon::testing;
 
 namespace
 {
-double DiagonalOf(const LoopSoup& soup)
+/// How far off its level a point may be.
+double AllowedOff(const LoopSoup& soup, const ContourSet& set)
 {
-  Point3 low{ 1e300, 1e300, 1e300 };
-  Point3 high{ -1e300, -1e300, -1e300 };
+  Box3 box;
   for (const LoopSoup::Chain& chain : soup.Chains)
   {
     for (int p : chain.Points)
     {
-      for (std::size_t k = 0; k < 3; ++k)
-      {
-        low[k] = std::min(low[k], soup.Points[At(p)][k]);
-        high[k] = std::max(high[k], soup.Points[At(p)][k]);
-      }
+      box.Add(soup.Points[At(p)]);
     }
   }
-  return Norm(high - low);
+  const double flat = 1e-5 * box.Diagonal() * (1 + 1e-9);
+  if (Reports(set, "taken as parallel") || Reports(set, "taken as one level"))
+  {
+    return std::max(flat, 0.2 * set.Spacing());
+  }
+  return Reports(set, "planes were found with a tolerance") ? 30 * flat : flat;
 }
 
 /// Kept points must be input points to the last bit, unless a crossing had to be computed.
@@ -68,9 +69,7 @@ void Check(const std::string& name, const LoopSoup& soup, bool parallel)
         std::printf("    %s\n", line.c_str());
       }
     }
-    const double tolerance = options.PlaneTolerance * DiagonalOf(soup) * (1 + 1e-9);
-    CheckContourSet(
-      set, Reports(set, "planes were found with a tolerance") ? 30 * tolerance : tolerance);
+    CheckContourSet(set, AllowedOff(soup, set));
     CheckPointsAreGiven(soup, set);
     EXPECT_TRUE(set.Parallel || !parallel);
   }

@@ -111,6 +111,17 @@ LoopSoup Doubled(const LoopSoup& soup, unsigned seed)
   return doubled;
 }
 
+/// How many changes the sentences tell of; a sentence a kind, with its number.
+int ChangesIn(const std::vector<std::string>& report)
+{
+  int changes = 0;
+  for (const std::string& line : report)
+  {
+    changes += line.find("contours, the first of ") != std::string::npos ? std::stoi(line) : 1;
+  }
+  return changes;
+}
+
 TEST_F(PlaneFaults, DoubledOutlinesOfRealSetsAreOneEach)
 {
   int tried = 0;
@@ -131,7 +142,9 @@ TEST_F(PlaneFaults, DoubledOutlinesOfRealSetsAreOneEach)
         const ContourSet again = BuildContourSet(Doubled(soup, seed), {}, monitor);
         EXPECT_NEAR(SolidArea(again) / SolidArea(set), 1, 0.005)
           << file << " " << name << " " << seed;
-        EXPECT_GE(again.Report.size(), set.Report.size() + soup.Chains.size()) << name;
+        EXPECT_GE(
+          ChangesIn(again.Report), ChangesIn(set.Report) + static_cast<int>(soup.Chains.size()))
+          << name;
         ++tried;
       }
     }
