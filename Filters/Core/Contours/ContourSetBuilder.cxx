@@ -8,6 +8,7 @@
 #include "Contours/HoleExplanation.h"
 #include "Contours/OpenLines.h"
 #include "Contours/PlanarRings.h"
+#include "Contours/TipSections.h"
 #include "Planar/HoleRule.h"
 #include "Planar/LoopTwins.h"
 #include "Planar/NestingForest.h"
@@ -502,13 +503,16 @@ private:
 
 ContourSet BuildContourSet(const LoopSoup& soup, const ContourSetOptions& options, Monitor& monitor)
 {
+  const double size = BoundsOf(soup).Diagonal();
+  TipSections drawn = options.Parallel ? DrawTips(soup, size) : TipSections{ soup, {} };
   if (options.OpenLines == OpenLineRule::Border)
   {
-    LinesAlongBorder closed = CloseAlongBorder(soup, EndShare * BoundsOf(soup).Diagonal(), monitor);
-    ContourSet set = Builder(closed.Soup, options, monitor).Build();
-    set.Report.insert(set.Report.end(), closed.Report.begin(), closed.Report.end());
-    return set;
+    LinesAlongBorder closed = CloseAlongBorder(drawn.Soup, EndShare * size, monitor);
+    drawn.Soup = std::move(closed.Soup);
+    drawn.Report.insert(drawn.Report.end(), closed.Report.begin(), closed.Report.end());
   }
-  return Builder(soup, options, monitor).Build();
+  ContourSet set = Builder(drawn.Soup, options, monitor).Build();
+  set.Report.insert(set.Report.end(), drawn.Report.begin(), drawn.Report.end());
+  return set;
 }
 }
