@@ -93,6 +93,15 @@ void SayIn(Outputs outputs, vtkDataObject* input, const std::string& sentence)
   }
 }
 
+void ClearAndReport(Outputs outputs, const char* sentence)
+{
+  Clear(outputs);
+  for (vtkDataObject* output : outputs)
+  {
+    SetReport({ sentence }, output);
+  }
+}
+
 /// Whether there was nothing to work on; the outputs say it then.
 bool PassNothing(vtkAlgorithm* filter, vtkDataObject* input, Outputs outputs)
 {
@@ -150,11 +159,12 @@ int RunOnAnything(vtkAlgorithm* filter, Outputs outputs, const std::function<voi
   }
   catch (const NothingLeft& reason)
   {
-    Clear(outputs);
-    for (vtkDataObject* output : outputs)
-    {
-      SetReport({ reason.what() }, output);
-    }
+    ClearAndReport(outputs, reason.what());
+  }
+  catch (const NothingToDo& reason)
+  {
+    ClearAndReport(outputs, reason.what());
+    vtkWarningWithObjectMacro(filter, << reason.what());
   }
   catch (const std::exception& error)
   {

@@ -44,9 +44,9 @@ constexpr const char* NeedsContours = "contours as poly data: connect a contour 
  * Does the work, and returns 1.
  *
  * Without an input, and where the work throws, there is one error and outputs are empty; they are
- * also empty where the user stopped it. Inputs with nothing in them (no points and no cells, or
- * points that a structure set calls POINT, or lines that it calls open) are common among the regions of a structure set, and
- * must not stop the others: the outputs are empty, and say so in `Report`.
+ * also empty where the user stopped it. Inputs with nothing in them (no points and no cells, open
+ * lines only, what a structure set calls points) are common among the regions of a structure set,
+ * and must not stop the others: the outputs are empty, and say so in `Report`.
  *
  * @param input nullptr where none is connected
  * @param needs for the sentence: "contours as poly data: connect a contour reader or Slice"
