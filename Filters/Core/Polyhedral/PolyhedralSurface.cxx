@@ -4,6 +4,7 @@
 #include "Base/Text.h"
 #include "Mesh/PinchGap.h"
 #include "Polyhedral/FaceGroups.h"
+#include "Polyhedral/PinchedPoints.h"
 #include "Polyhedral/PolyhedralStages.h"
 #include "Polyhedral/SolidBoundary.h"
 #include "Polyhedral/SolidComplex.h"
@@ -124,6 +125,10 @@ private:
     {
       this->Result.Report.push_back("The surface is open: EndCaps is None, so " +
         std::to_string(leftOpen) + " triangles in the planes of ends were left out.");
+      for (int original : CutPinchedPoints(this->Result.Mesh))
+      {
+        this->Result.PointKind.push_back(this->Result.PointKind[original]);
+      }
     }
   }
 
