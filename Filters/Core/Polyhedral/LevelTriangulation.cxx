@@ -2,14 +2,12 @@
 #include "Polyhedral/LevelTriangulation.h"
 
 #include "Base/Monitor.h"
+#include "Base/Text.h"
 #include "Contours/PlanarRings.h"
+#include "Polyhedral/ConformingRefinement.h"
+#include "Polyhedral/ConstrainedDelaunay.h"
 
-#include <CGAL/Constrained_Delaunay_triangulation_2.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/spatial_sort.h>
-#include <CGAL/Triangulation_conformer_2.h>
-#include <CGAL/Triangulation_face_base_with_info_2.h>
-#include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,60 +18,18 @@
 
 namespace recon
 {
+using namespace delaunay;
+
 namespace
 {
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-
-/// Points that the refinement makes lie on contour edges, so that is what a new vertex is.
-struct VertexInfo
-{
-  int Source = -1;
-  int Index = -1;
-  unsigned char Kind = LevelTriangulation::AddedOnContour;
-  unsigned char AskedBy = 0;
-};
-
-struct FaceInfo
-{
-  int Index = -1;
-  bool Inside = false;
-  std::array<int, 3> EdgeContour{ { -1, -1, -1 } };
-};
-
-/// Handles compare by age and not by address: CGAL refines edges in an order that follows from
-/// comparing handles, so the result would differ from run to run and between numbers of threads.
-template <typename Base>
-class Stamped : public Base
-{
-public:
-  using Has_timestamp = CGAL::Tag_true;
-  template <typename Structure>
-  struct Rebind_TDS
-  {
-    using Other = Stamped<typename Base::template Rebind_TDS<Structure>::Other>;
-  };
-
-  using Base::Base;
-
-  std::size_t time_stamp() const { return this->Stamp; }
-  void set_time_stamp(const std::size_t& stamp) { this->Stamp = stamp; }
-
-private:
-  std::size_t Stamp = static_cast<std::size_t>(-1); // CGAL's word for "none yet"
-};
-
-using VertexBase = Stamped<CGAL::Triangulation_vertex_base_with_info_2<VertexInfo, Kernel>>;
-using FaceBase0 = CGAL::Constrained_triangulation_face_base_2<Kernel>;
-using FaceBase = Stamped<CGAL::Triangulation_face_base_with_info_2<FaceInfo, Kernel, FaceBase0>>;
-using Structure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
-using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure>;
-using VertexHandle = Triangulation::Vertex_handle;
-using FaceHandle = Triangulation::Face_handle;
-using Edge = Triangulation::Edge;
-
 /// Circumcentres of cocircular points differ by rounding only: nearer than this share of the
 /// level's diagonal they are one point.
 constexpr double NearestPoints = 1e-7;
+
+/// Bound on the points of a level after refinement, those of the contours included: so many, and
+/// so many more for each of theirs. Drawn contours need at most a tenth of that.
+constexpr std::size_t LeastMaximumPoints = 2000;
+constexpr std::size_t MaximumPointsAPoint = 50;
 
 Point2 FromCGAL(const Kernel::Point_2& p)
 {
@@ -144,6 +100,8 @@ struct LevelTriangulator::Implementation
   const Level& OfLevel;
   Triangulation Delaunay;
   double Diagonal = 0;
+  bool IsGabriel = true;  ///< condition 2 holds
+  bool Conformed = false; ///< was refined before
 
   Implementation(const ContourSet& contours, int level)
     : Contours(contours),
@@ -154,6 +112,8 @@ struct LevelTriangulator::Implementation
   std::vector<VertexHandle> InsertContourVertices();
   void InsertContourEdges();
   void Conform();
+  std::size_t MaximumPoints() const;
+  std::string DescribeProblem(const RefinementOutcome& outcome) const;
   void ClassifyFaces();
   void LabelContourEdges();
   void LabelChain(VertexHandle from, VertexHandle to, int contour);
@@ -212,20 +172,59 @@ void LevelTriangulator::Implementation::InsertContourEdges()
   }
 }
 
-/// Conditions 0-2, then the sides of the contours.
+/**
+ * Conditions 0-2, then the sides of the contours.
+ *
+ * Where contours run so near to each other that condition 2 would take too many points, or has no
+ * place for them, the level has conditions 0 and 1 only: its edges are still those of a Delaunay
+ * triangulation, which is all that the joint Voronoi diagram needs.
+ */
 void LevelTriangulator::Implementation::Conform()
 {
-  try
+  if (this->IsGabriel)
   {
-    CGAL::make_conforming_Gabriel_2(this->Delaunay);
+    const RefinementOutcome outcome = RefineToGabriel(this->Delaunay, this->MaximumPoints());
+    this->IsGabriel = outcome.Problem == RefinementOutcome::None;
+    if (!this->IsGabriel && !this->Conformed)
+    {
+      this->Delaunay.clear();
+      this->VertexOf = this->InsertContourVertices();
+      this->InsertContourEdges();
+    }
   }
-  catch (const std::exception& failure)
+  if (!this->IsGabriel)
   {
-    throw Error("Level at offset " + std::to_string(this->OfLevel.Offset) +
-      ": the contours could not be refined to a conforming triangulation (" + failure.what() +
-      ").");
+    const RefinementOutcome outcome = RefineToDelaunay(this->Delaunay, 2 * this->MaximumPoints());
+    if (outcome.Problem != RefinementOutcome::None)
+    {
+      throw Error(this->DescribeProblem(outcome));
+    }
   }
+  this->Conformed = true;
   this->ClassifyFaces();
+}
+
+std::size_t LevelTriangulator::Implementation::MaximumPoints() const
+{
+  std::size_t count = 0;
+  for (int c : this->OfLevel.Contours)
+  {
+    count += this->Contours.Contours[c].Points.size();
+  }
+  return LeastMaximumPoints + MaximumPointsAPoint * count;
+}
+
+std::string LevelTriangulator::Implementation::DescribeProblem(
+  const RefinementOutcome& outcome) const
+{
+  const Point3 place = this->OfLevel.Frame.ToSpace(outcome.Place, this->OfLevel.Offset);
+  const bool tooMany = outcome.Problem == RefinementOutcome::TooManyPoints;
+  return "Level at offset " + Text(this->OfLevel.Offset) + ": near " + Text(place) +
+    " contours run so near to each other, or to themselves, that " +
+    (tooMany ? "more than " + std::to_string(2 * this->MaximumPoints()) +
+          " points would have to be put on their edges"
+             : std::string("no number lies between them")) +
+    "; remove or merge there what is narrower than the contours are accurate.";
 }
 
 /// Even-odd: crossing a contour edge changes the side; the infinite faces are outside.
@@ -362,8 +361,11 @@ bool LevelTriangulator::Implementation::MayInsert(const Kernel::Point_2& p, bool
         twin = f->vertex(k);
         return false;
       }
-      // A contour edge that p encroaches upon always faces p across a triangle in conflict.
-      if (f->is_constrained(k) && Encroaches(p, Edge(f, k), mayLieOnCircle))
+      // A contour edge that p encroaches upon always faces p across a triangle in conflict. One
+      // without condition 2 must stay Delaunay.
+      if (f->is_constrained(k) &&
+        (Encroaches(p, Edge(f, k), mayLieOnCircle) ||
+          (!this->IsGabriel && this->Delaunay.test_conflict(p, f->neighbor(k)))))
       {
         return false;
       }

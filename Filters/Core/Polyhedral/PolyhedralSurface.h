@@ -24,8 +24,9 @@ namespace recon
  * vertex-manifold by index, not crossing itself. Every contour vertex that is not named in Report
  * is a point of it, to the last bit.
  *
- * In planes that are not perpendicular to an axis, where the points of regular shapes are in line
- * up to rounding only, sheets that touch in a common plane may cross by that rounding.
+ * Topology is decided exactly in the planes of the levels. Contour vertices that were given beside
+ * the plane of their level (slices merged into one, planes that are not perpendicular to an axis)
+ * stay where they were given, so sheets that touch in a common plane may cross by that much.
  */
 struct PolyhedralSurface
 {
