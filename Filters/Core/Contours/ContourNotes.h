@@ -42,6 +42,18 @@ public:
   /// A whole sentence that is about no contour in particular.
   void AddGeneral(const std::string& sentence) { this->General.push_back(sentence); }
 
+  /// What follows from the last such sentence, on the same line; a line of its own where there is
+  /// none.
+  void ContinueGeneral(const std::string& sentence)
+  {
+    if (this->General.empty())
+    {
+      this->General.push_back(sentence);
+      return;
+    }
+    this->General.back() += " " + sentence;
+  }
+
   /**
    * The sentences, the important first: how many contours were lost, where it is more than one, then
    * what was lost, general sentences, and what was repaired; in the order of input cells.

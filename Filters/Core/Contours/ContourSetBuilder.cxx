@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <set>
@@ -27,6 +28,8 @@ namespace
 {
 // Loose ends nearer to each other than this part of the diagonal are one.
 constexpr double EndShare = 1e-5;
+// Points farther off their plane than this part of the distance to the next level are put on it.
+constexpr double LooseShare = 1e-3;
 
 /// The box around all finite points that chains use.
 Box3 BoundsOf(const LoopSoup& soup)
@@ -120,6 +123,10 @@ public:
     {
       common = grouping.Planes[0].Frame;
     }
+    if (grouping.Parallel)
+    {
+      this->PutOnPlanes();
+    }
     this->Set.Report = this->Notes.Sentences(common, this->Set.Contours.size());
     if (!this->Set.Warning.empty())
     {
@@ -131,6 +138,52 @@ public:
   }
 
 private:
+  /// Distance of a level to its nearest neighbour; infinite where there is none.
+  double RoomAt(std::size_t level) const
+  {
+    double room = std::numeric_limits<double>::infinity();
+    for (const std::size_t other : { level - 1, level + 1 })
+    {
+      if (other < this->Set.Levels.size())
+      {
+        room =
+          std::min(room, std::abs(this->Set.Levels[other].Offset - this->Set.Levels[level].Offset));
+      }
+    }
+    return room;
+  }
+
+  /// Points that are visibly off their plane go onto it: what is decided is decided there, and
+  /// sheets that touch in the plane would cross by what their points are off it.
+  void PutOnPlanes()
+  {
+    std::size_t moved = 0;
+    double farthest = 0;
+    for (std::size_t l = 0; l < this->Set.Levels.size(); ++l)
+    {
+      const Level& level = this->Set.Levels[l];
+      if (!(level.Thickness > LooseShare * this->RoomAt(l)))
+      {
+        continue;
+      }
+      ++moved;
+      farthest = std::max(farthest, level.Thickness);
+      for (int c : level.Contours)
+      {
+        for (int p : this->Set.Contours[c].Points)
+        {
+          this->Set.Points[p] = level.Frame.ToSpace(this->Set.Planar[p], level.Offset);
+        }
+      }
+    }
+    if (moved > 0)
+    {
+      this->Notes.ContinueGeneral("Points of " + Counted(moved, "slice") + ", up to " +
+        Text(farthest) +
+        " off its plane, were put on it, so that the surface cannot cross itself there.");
+    }
+  }
+
   void ChainAndClose(double size)
   {
     ChainedRings chained =

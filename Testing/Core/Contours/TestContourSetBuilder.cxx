@@ -124,3 +124,28 @@ TEST(ContourSetBuilder, TiltedPlanesGroup)
   EXPECT_EQ(set.Contours[0].Depth + set.Contours[1].Depth, 1);
 }
 }
+
+TEST(ContourSetBuilder, PointsVisiblyOffTheirSliceArePutOnIt)
+{
+  for (const double off : { 1e-6, 0.02 })
+  {
+    SoupMaker maker;
+    maker.Loop(Circle(0, 0, 5, 24), 0).Loop(Circle(0, 0, 5, 24), 3).Loop(Circle(0, 0, 5, 24), 6);
+    maker.Loop(Circle(12, 0, 5, 24), 0).Loop(Circle(12, 0, 5, 24), 3 + off);
+    maker.Loop(Circle(12, 0, 5, 24), 6);
+    const ContourSet set = maker.Build();
+    ASSERT_EQ(set.Levels.size(), 3u);
+    const Level& middle = set.Levels[1];
+    for (const int c : middle.Contours)
+    {
+      for (const int p : set.Contours[c].Points)
+      {
+        const double z = set.Points[p][2];
+        EXPECT_TRUE(off > 1e-3 ? z == middle.Offset : z == 3 || z == 3 + off);
+      }
+    }
+    const bool said = std::any_of(set.Report.begin(), set.Report.end(),
+      [](const std::string& line) { return line.find("were put on it") != std::string::npos; });
+    EXPECT_EQ(said, off > 1e-3);
+  }
+}
