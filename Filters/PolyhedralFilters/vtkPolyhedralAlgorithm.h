@@ -133,8 +133,8 @@ public:
 
   ///@{
   /**
-   * A contour without partner on both sides: Drop (default; a line in `Report`) or Extrude by half
-   * a slice each way (`IsolatedVolume`).
+   * A contour without partner on both sides: Extrude (default) by half a slice each way
+   * (`IsolatedVolume`, and `Report` counts them), or Drop, with a line in `Report`.
    */
   vtkSetClampMacro(IsolatedContours, int, Drop, Extrude);
   vtkGetMacro(IsolatedContours, int);
@@ -182,7 +182,7 @@ private:
   double MaximumGap = 5.0;
   int AlignLevels = 1;
   int EndCaps = Tapered;
-  int IsolatedContours = Drop;
+  int IsolatedContours = Extrude;
   int Threads = 0;
 };
 

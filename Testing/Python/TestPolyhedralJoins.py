@@ -70,20 +70,20 @@ def expect(surface, components, what):
 
 # Two towers side by side: contours 0, 1 below, 2, 3 above.
 towers = squares((0, 0, 0, 1), (4, 0, 0, 1), (0, 0, 1, 1), (4, 0, 1, 1))
-both = expect(simple.PolyhedralSurface(Input=towers, EndCaps="Flat"), 2, "two towers")
+both = expect(simple.PolyhedralSurface(Input=towers, IsolatedContours="Drop", EndCaps="Flat"), 2, "two towers")
 ct.check(abs(both - 8) < 1e-9, f"two towers: volume {both}, not 8")
-one = expect(simple.PolyhedralSurface(Input=towers, ForbiddenJoins=[1, 3], EndCaps="Flat"), 1, "one join forbidden")
+one = expect(simple.PolyhedralSurface(Input=towers, IsolatedContours="Drop", ForbiddenJoins=[1, 3], EndCaps="Flat"), 1, "one join forbidden")
 ct.check(abs(one - 4) < 1e-9, f"one join forbidden: volume {one}, not 4")
-expect(simple.PolyhedralSurface(Input=towers, Overrides=overrides((1, 3, 0))), 1, "one join forbidden by table")
-expect(simple.PolyhedralSurface(Input=towers, Overrides=overrides((1, 3, 1)), ForbiddenJoins=[1, 3]), 1,
+expect(simple.PolyhedralSurface(Input=towers, IsolatedContours="Drop", Overrides=overrides((1, 3, 0))), 1, "one join forbidden by table")
+expect(simple.PolyhedralSurface(Input=towers, IsolatedContours="Drop", Overrides=overrides((1, 3, 1)), ForbiddenJoins=[1, 3]), 1,
        "forbidding wins over forcing")
 
 # Squares that do not overlap: joined by proximity, apart by overlap, joined again where that is forced.
 aside = squares((0, 0, 0, 1), (2.5, 0, 1, 1), (2.5, 0, 2, 1))
-expect(simple.PolyhedralSurface(Input=aside, Mapping="Overlap", EndCaps="Flat"), 1, "the upper two by overlap")
-ct.check(abs(expect(simple.PolyhedralSurface(Input=aside, Mapping="Overlap", EndCaps="Flat"), 1, "again") - 4) < 1e-9,
+expect(simple.PolyhedralSurface(Input=aside, IsolatedContours="Drop", Mapping="Overlap", EndCaps="Flat"), 1, "the upper two by overlap")
+ct.check(abs(expect(simple.PolyhedralSurface(Input=aside, IsolatedContours="Drop", Mapping="Overlap", EndCaps="Flat"), 1, "again") - 4) < 1e-9,
          "by overlap the lowest square is no part of the solid")
-forced = simple.PolyhedralSurface(Input=aside, Mapping="Overlap", ForcedJoins=[0, 1])
+forced = simple.PolyhedralSurface(Input=aside, IsolatedContours="Drop", Mapping="Overlap", ForcedJoins=[0, 1])
 report = ct.data(forced).GetFieldData().GetAbstractArray("Report")
 lines = [report.GetValue(i) for i in range(report.GetNumberOfValues())] if report else []
 ct.check(certificate(forced)["Volume"] > 4 or any("cannot be made" in line for line in lines),
@@ -167,11 +167,14 @@ ct.check(16 < tapered < 24, f"tower, tapered: volume {tapered} lies between flat
 
 # A square with nothing above or below it: left out by name, or kept as a slice of its own.
 lonely = squares((0, 0, 0, 1), (9, 0, 1, 1), (0, 0, 1, 1), (0, 0, 2, 1))
-dropped = simple.PolyhedralSurface(Input=lonely)
+dropped = simple.PolyhedralSurface(Input=lonely, IsolatedContours="Drop")
 expect(dropped, 1, "lonely square dropped")
 report = ct.data(dropped).GetFieldData().GetAbstractArray("Report")
 ct.check(report.GetNumberOfValues() == 1 and "left out" in report.GetValue(0), "the lonely square is named")
-kept = expect(simple.PolyhedralSurface(Input=lonely, IsolatedContours="Extrude", EndCaps="Flat"), 2, "lonely square extruded")
+extruded = simple.PolyhedralSurface(Input=lonely, EndCaps="Flat")
+kept = expect(extruded, 2, "lonely square extruded, by default")
+report = ct.data(extruded).GetFieldData().GetAbstractArray("Report")
+ct.check(report.GetNumberOfValues() == 1 and "1 contour is joined to none" in report.GetValue(0), "the slice is counted")
 ct.check(abs(kept - 12) < 1e-9, f"lonely square extruded: volume {kept}, not 12")
 
 # Two stacks of one region of interest far apart: above one another and side by side.

@@ -2,6 +2,7 @@
 """Tell whether two builds make the same surfaces, to the last bit.
 
     CONTOUR_PLUGIN=.../ContourReconstruction.so pvpython fingerprints.py write OUT.json [--only TEXT] [--method psm|ism]
+        [--set PROPERTY=VALUE ...]
     python3 fingerprints.py compare OLD.json NEW.json
 
 `write` reconstructs every region of Data/ and, where it is there, of the shared data, by both methods with
@@ -61,6 +62,9 @@ def write(options):
                 continue
             for method in options.method or ["psm", "ism"]:
                 node = getattr(simple, cli.METHODS[method])(Input=cli.as_source(block.data))
+                for name_of, _, value in (setting.partition("=") for setting in options.set):
+                    if name_of in node.ListProperties():
+                        setattr(node, name_of, float(value) if value.replace(".", "").isdigit() else value)
                 if method == "ism" and block.data.GetNumberOfPoints() > FULL_DETAIL_POINTS:
                     node.Detail = "Medium"
                 key = f"{name} {block.name} {method}"
@@ -103,6 +107,8 @@ def main():
     writing.add_argument("out")
     writing.add_argument("--only", default="", help="files whose name has this in it")
     writing.add_argument("--method", action="append", choices=["psm", "ism"])
+    writing.add_argument("--set", action="append", default=[], metavar="PROPERTY=VALUE",
+                         help="a property of the node, where it has it: to tell a default from a method")
     comparing = commands.add_parser("compare")
     comparing.add_argument("old")
     comparing.add_argument("new")

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Polyhedral/LeftOut.h"
 
+#include "Base/Text.h"
 #include "Polyhedral/Elimination.h"
 
 #include <algorithm>
@@ -65,6 +66,29 @@ std::string LeftOutLine(
               : ".");
   return line.str();
 }
+
+/// Pieces that nobody asked for are counted.
+void ReportExtruded(const ContourSet& contours, const std::vector<unsigned char>& bounds,
+  std::vector<std::string>& report)
+{
+  std::vector<std::string> places;
+  for (std::size_t c = 0; c < bounds.size(); ++c)
+  {
+    if ((bounds[c] & Isolated) != 0 && contours.Contours[c].Depth % 2 == 0)
+    {
+      places.push_back(std::to_string(c) + " (offset " +
+        Text(contours.Levels[contours.Contours[c].Level].Offset) + ")");
+    }
+  }
+  if (!places.empty())
+  {
+    const bool one = places.size() == 1;
+    report.push_back(Counted(places.size(), "contour") + (one ? " is" : " are") +
+      " joined to none of the levels next to " + (one ? "it" : "them") + " and " +
+      (one ? "is a slice of its" : "are slices of their") +
+      " own (IsolatedContours is Extrude): " + Listed(places, 3) + ".");
+  }
+}
 }
 
 void ReportJoinsNotMade(const ContourMapping& mapping, const std::vector<LevelState>& levels,
@@ -92,11 +116,12 @@ void ReportJoinsNotMade(const ContourMapping& mapping, const std::vector<LevelSt
 void ReportContoursLeftOut(const ContourSet& contours, const std::vector<LevelState>& levels,
   const PolyhedralOptions& options, std::vector<std::string>& report)
 {
+  const std::vector<unsigned char> bounds = WhatContoursBound(contours, levels);
   if (options.IsolatedContours == PolyhedralOptions::Extrude)
   {
+    ReportExtruded(contours, bounds, report);
     return;
   }
-  const std::vector<unsigned char> bounds = WhatContoursBound(contours, levels);
   for (std::size_t c = 0; c < bounds.size(); ++c)
   {
     if (bounds[c] & Isolated)
