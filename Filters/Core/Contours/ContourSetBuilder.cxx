@@ -28,7 +28,8 @@ namespace
 {
 // Loose ends nearer to each other than this part of the diagonal are one.
 constexpr double EndShare = 1e-5;
-// Points farther off their plane than this part of the distance to the next level are put on it.
+// Points of a tilted plane that are farther off it than this part of the distance to the next level
+// are put on it; those of planes across a coordinate axis in any case.
 constexpr double LooseShare = 1e-3;
 
 /// The box around all finite points that chains use.
@@ -162,7 +163,9 @@ private:
     for (std::size_t l = 0; l < this->Set.Levels.size(); ++l)
     {
       const Level& level = this->Set.Levels[l];
-      if (!(level.Thickness > LooseShare * this->RoomAt(l)))
+      // In a tilted frame all points are off their plane by rounding.
+      const double loose = level.Grid > 0 ? LooseShare * this->RoomAt(l) : 0;
+      if (!(level.Thickness > loose))
       {
         continue;
       }

@@ -140,19 +140,6 @@ inline std::vector<PolyhedralOptions> EveryCombination()
   return all;
 }
 
-/// Slices nearer than the tolerance are one level, whose contours then lie off its plane as they were
-/// given: what nearly touches there may cross by that much (see PolyhedralSurface).
-inline bool LieInTheirPlanes(const ContourSet& contours)
-{
-  return std::all_of(contours.Contours.begin(), contours.Contours.end(),
-    [&](const Contour& contour)
-    {
-      const Level& level = contours.Levels[contour.Level];
-      return std::all_of(contour.Points.begin(), contour.Points.end(),
-        [&](int p) { return level.Frame.OffsetOf(contours.Points[p]) == level.Offset; });
-    });
-}
-
 /// The promises that a surface breaks, a word each; empty where it holds all.
 inline std::string BrokenPromises(
   const PolyhedralSurface& surface, const ContourSet& contours, const PolyhedralOptions& options)
@@ -182,10 +169,6 @@ inline std::string BrokenPromises(
         broken << "vertex of contour " << c << " missing ";
       }
     }
-  }
-  if (!LieInTheirPlanes(contours))
-  {
-    return broken.str();
   }
   broken << (open || total.Outward ? "" : "outward ");
   SelfIntersectionOptions one;
