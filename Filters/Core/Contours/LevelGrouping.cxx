@@ -15,6 +15,8 @@ namespace
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 // Offsets that differ by less than this part of the largest one are equal but for rounding.
 constexpr double OffsetRounding = 1e-12;
+// An offset along a tilted normal is a sum of coordinates, and rounds like the largest of them.
+constexpr double CoordinateRounding = 1e-14;
 // Distances within a level are at most this part of the one to the next level.
 constexpr double MostInnerShare = 0.25;
 // Below this part of the spacing a distance is no slice distance, whatever the contours look like.
@@ -23,6 +25,12 @@ constexpr double SurelyOneLevel = 0.005;
 constexpr double SameOutline = 0.5;
 // So many levels must be left where more than half of the distances are merged.
 constexpr int FewestRegularLevels = 3;
+
+double LargestOf(const LevelCandidate& candidate)
+{
+  return std::max({ std::abs(candidate.Low[0]), std::abs(candidate.Low[1]),
+    std::abs(candidate.High[0]), std::abs(candidate.High[1]) });
+}
 
 /// Distances of consecutive contours; rounding counts as nothing.
 class Distances
@@ -38,8 +46,8 @@ public:
     {
       const LevelCandidate& a = this->At(i - 1);
       const LevelCandidate& b = this->At(i);
-      const double rounding =
-        OffsetRounding * std::max(std::abs(a.Offset), std::abs(b.Offset)) + a.Noise + b.Noise;
+      const double rounding = OffsetRounding * std::max(std::abs(a.Offset), std::abs(b.Offset)) +
+        CoordinateRounding * std::max(LargestOf(a), LargestOf(b)) + a.Noise + b.Noise;
       const double distance = b.Offset - a.Offset;
       this->Values.push_back(distance > rounding ? distance : 0);
     }
