@@ -90,7 +90,7 @@ for off, tolerance, count in ((0.5, 0.6, 6), (0.004, 1e-5, 7)):
         ct.check(levels(ct.data(node)) == count, f"{node.GetXMLLabel()} keeps {count} levels")
 moved = simple.Transform(Input=simple.ContourHierarchy(Input=source(tube(0.5)), PlaneTolerance=0.6))
 moved.Transform.Scale = [1.0, 1.0, 2.0]
-ct.check(levels(ct.data(simple.ContourHierarchy(Input=moved))) == 7, "levels that were moved since are found anew")
+ct.check(levels(ct.data(simple.ContourHierarchy(Input=moved))) == 6, "what was put on one plane stays on it when moved")
 
 # Slices that are very near beside their size.
 near = flat(source(stack((1.5, 0), (1.4, -1e-4), (1.3, -1.3e-4), (1.2, -2.3e-4))))
@@ -128,6 +128,8 @@ for name, right in (("split_one.dcm", (28228.94, 18819.29)), ("split_every_secon
     out = flat(simple.DICOMRTStructureSetReader(FileName=ct.shared("faults/rt/" + name)))
     for i, value in enumerate(right):
         block = out.GetPartition(i, 0)
-        ct.check(abs(volume(block) / value - 1) < 1e-5, f"{name} {i}: volume {volume(block)} instead of {value}")
+        # Points of few decimals in tilted planes are put on their planes, which moves them by some hundredths.
+        within = 5e-4 if name.startswith("oblique") else 1e-5
+        ct.check(abs(volume(block) / value - 1) < within, f"{name} {i}: volume {volume(block)} instead of {value}")
         ct.check(len(report(block)) == 1, f"{name} {i}: {report(block)}")
 ct.finish()
