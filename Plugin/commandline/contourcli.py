@@ -6,6 +6,7 @@ one sentence for the user.
 """
 import json
 import math
+import os
 import sys
 
 from paraview import simple
@@ -38,6 +39,14 @@ class Result:
     @property
     def triangles(self):
         return self.surface.GetNumberOfPolys()
+
+
+def settings_for(path, method, settings):
+    """The settings with what the format asks for: a .brep has indices, so touching sheets need no gap there, and
+    with one the contours at it would no longer run along edges of the surface."""
+    given = any(setting.partition("=")[0].casefold() == "pinchgap" for setting in settings)
+    brep = os.path.splitext(path)[1].lower() == ".brep"
+    return list(settings) + (["PinchGap=0"] if brep and method == "psm" and not given else [])
 
 
 def reconstruct(contours, method="psm", settings=(), bar=None):

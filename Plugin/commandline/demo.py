@@ -137,9 +137,12 @@ def main(folder):
             results.append(cli.reconstruct(blocks[0], bar=bar))
         finally:
             bar.clear()
-        for extension in (".vtp", ".stl", ".brep"):
+        for extension in (".vtp", ".stl"):
             files.append(name + extension)
             writing += cli.write_surface(os.path.join(folder, files[-1]), results[-1])
+        files.append(name + ".brep")
+        exact = cli.reconstruct(blocks[0], settings=cli.settings_for(files[-1], "psm", ()))
+        writing += cli.write_surface(os.path.join(folder, files[-1]), exact)
     cli.print_results(results, [("read", reading), ("write", writing)])
     head, brain = results
     files += pictures(head, brain, folder)

@@ -155,7 +155,8 @@ def write_surfaces(options, blocks, reading):
     for block, path in zip(blocks, cli.output_paths(options.output, blocks)):
         bar = cli.ProgressBar(block.name)
         try:
-            result = cli.reconstruct(block, options.method, options.settings, bar)
+            settings = cli.settings_for(options.output, options.method, options.settings)
+            result = cli.reconstruct(block, options.method, settings, bar)
             bar.clear()
             writing += cli.write_surface(path, result, offset)
             results.append(result)
