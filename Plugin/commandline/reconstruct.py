@@ -4,6 +4,7 @@ import signal
 
 signal.signal(signal.SIGINT, signal.SIG_DFL)  # Ctrl-C ends it, without the stack of whatever library it is in
 import argparse
+import contextlib
 import json
 import os
 import sys
@@ -125,22 +126,29 @@ class Failures:
                                    + "; ".join(f"{name}: {why}" for name, why in self.found))
 
 
+@contextlib.contextmanager
+def attempt(block, failures):
+    """A progress bar while a region is worked on; what goes wrong with it is noted, and the others go on."""
+    bar = cli.ProgressBar(block.name)
+    try:
+        yield bar
+    except cli.SettingError:
+        raise
+    except cli.NothingToDo as reason:
+        bar.clear()
+        print(f"{block.name}: nothing to do: {reason}")
+    except cli.CommandError as error:
+        failures.add(block.name, error)
+    finally:
+        bar.clear()
+
+
 def write_structure_set(options, blocks, reference):
     writer = cli.StructureSetWriter(options.output, reference, options.settings, options.extrapolate)
     failures = Failures(len(blocks), "contours")
     for block in blocks:
-        bar = cli.ProgressBar(block.name)
-        try:
+        with attempt(block, failures) as bar:
             writer.trace(block, bar)
-        except cli.SettingError:
-            raise
-        except cli.NothingToDo as reason:
-            bar.clear()
-            print(f"{block.name}: nothing to do: {reason}")
-        except cli.CommandError as error:
-            failures.add(block.name, error)
-        finally:
-            bar.clear()
     if writer.traced:
         writer.write()
         print(cli.format_table(writer.rows, ["", "contours drawn", "written", "slices", "seconds"]))
@@ -152,24 +160,14 @@ def write_surfaces(options, blocks, reading):
     results, files, writing = [], [], 0.0
     failures = Failures(len(blocks), "surface")
     offset = cli.parse_offset(options.offset)
+    settings = cli.settings_for(options.output, options.method, options.settings)
     for block, path in zip(blocks, cli.output_paths(options.output, blocks)):
-        bar = cli.ProgressBar(block.name)
-        try:
-            settings = cli.settings_for(options.output, options.method, options.settings)
+        with attempt(block, failures) as bar:
             result = cli.reconstruct(block, options.method, settings, bar)
             bar.clear()
             writing += cli.write_surface(path, result, offset)
             results.append(result)
             files.append(path)
-        except cli.SettingError:
-            raise
-        except cli.NothingToDo as reason:
-            bar.clear()
-            print(f"{block.name}: nothing to do: {reason}")
-        except cli.CommandError as error:
-            failures.add(block.name, error)
-        finally:
-            bar.clear()
     if results:
         cli.print_results(results, [("read", reading), ("write", writing)])
         print("\nWritten: " + ", ".join(files))

@@ -13,20 +13,6 @@ constexpr double TrustedWidth = 10;
 // More decimals than this are not told apart from coordinates that nobody rounded.
 constexpr int MostDecimals = 6;
 
-/// Newell's vector area about the ring's first point.
-Vector3 NewellArea(const LoopSoup& soup, const Ring& ring)
-{
-  const Point3& o = soup.Points[ring.Points[0]];
-  Vector3 sum{ 0, 0, 0 };
-  for (std::size_t i = 1; i + 1 < ring.Points.size(); ++i)
-  {
-    const Vector3 a = soup.Points[ring.Points[i]] - o;
-    const Vector3 b = soup.Points[ring.Points[i + 1]] - o;
-    sum = sum + 0.5 * Cross(a, b);
-  }
-  return sum;
-}
-
 /// The widest triangle over the ring's longest chord.
 Vector3 WidestTriangle(const LoopSoup& soup, const Ring& ring, double& length)
 {
@@ -77,12 +63,24 @@ bool ForAllCoordinates(const LoopSoup& soup, const std::vector<Ring>& rings, con
   return true;
 }
 }
+Vector3 NewellArea(const LoopSoup& soup, const std::vector<int>& ring)
+{
+  const Point3& o = soup.Points[ring[0]];
+  Vector3 sum{ 0, 0, 0 };
+  for (std::size_t i = 1; i + 1 < ring.size(); ++i)
+  {
+    const Vector3 a = soup.Points[ring[i]] - o;
+    const Vector3 b = soup.Points[ring[i + 1]] - o;
+    sum = sum + 0.5 * Cross(a, b);
+  }
+  return sum;
+}
 
 RingPlane FindRingPlane(const LoopSoup& soup, const Ring& ring, double tolerance)
 {
   RingPlane plane;
   const Vector3 widest = WidestTriangle(soup, ring, plane.Length);
-  plane.AreaVector = NewellArea(soup, ring);
+  plane.AreaVector = NewellArea(soup, ring.Points);
   if (Norm(plane.AreaVector) < 0.1 * Norm(widest))
   {
     plane.AreaVector = widest;

@@ -45,6 +45,10 @@ struct RingPlane
  */
 RingPlane FindRingPlane(const LoopSoup& soup, const Ring& ring, double tolerance);
 
+/// Newell's vector area of a closed loop of the soup's points, about the first of them: along the
+/// normal, as long as the area.
+Vector3 NewellArea(const LoopSoup& soup, const std::vector<int>& ring);
+
 OffsetRange RangeAlong(const LoopSoup& soup, const Ring& ring, const Vector3& normal);
 
 /// The unit vector along v, turned so that its largest component is positive.

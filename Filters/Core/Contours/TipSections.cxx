@@ -2,6 +2,7 @@
 #include "Contours/TipSections.h"
 
 #include "Base/Text.h"
+#include "Contours/RingPlane.h"
 
 #include <algorithm>
 #include <cmath>
@@ -100,18 +101,6 @@ private:
 
   const Point3& At(int p) const { return this->Soup.Points[p]; }
 
-  /// Newell's vector area about the first point.
-  Vector3 AreaOf(const LoopSoup::Chain& chain) const
-  {
-    const Point3& o = this->At(chain.Points[0]);
-    Vector3 area{ 0, 0, 0 };
-    for (std::size_t i = 1; i + 1 < chain.Points.size(); ++i)
-    {
-      area = area + 0.5 * Cross(this->At(chain.Points[i]) - o, this->At(chain.Points[i + 1]) - o);
-    }
-    return area;
-  }
-
   /// The two points of some that are about farthest apart.
   std::pair<int, int> FarthestOf(const std::vector<int>& points) const
   {
@@ -148,7 +137,7 @@ private:
       if (this->IsClosed(chain) && !this->HasNoWidth(chain.Points))
       {
         rings.push_back(c);
-        const Vector3 area = this->AreaOf(chain);
+        const Vector3 area = NewellArea(this->Soup, chain.Points);
         largest = Norm(area) > Norm(largest) ? area : largest;
       }
     }
@@ -161,7 +150,7 @@ private:
     for (std::size_t c : rings)
     {
       this->IsRing[c] = 1;
-      const Vector3 area = this->AreaOf(this->Soup.Chains[c]);
+      const Vector3 area = NewellArea(this->Soup, this->Soup.Chains[c].Points);
       if (Norm(Cross(area, this->Frame.Normal)) > LargestLean * Norm(area))
       {
         return false;

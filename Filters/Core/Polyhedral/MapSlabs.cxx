@@ -4,8 +4,6 @@
 #include "Base/Text.h"
 #include "Contours/LevelGaps.h"
 
-#include <algorithm>
-
 namespace recon
 {
 namespace
@@ -45,18 +43,6 @@ void UseJoin(const ContourMapping& mapping, const ContourJoin& join, std::vector
     joins.Exceptions.insert({ lower.Wall, upper.Wall });
   }
 }
-}
-
-double MedianThickness(const std::vector<SlabState>& slabs)
-{
-  std::vector<double> all;
-  for (const SlabState& slab : slabs)
-  {
-    all.push_back(slab.Thickness);
-  }
-  const auto median = all.begin() + (all.size() - 1) / 2;
-  std::nth_element(all.begin(), median, all.end());
-  return *median;
 }
 
 ContourMapping MapSlabs(const ContourSet& contours, const PolyhedralOptions& options,

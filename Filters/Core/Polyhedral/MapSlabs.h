@@ -16,9 +16,6 @@
 
 namespace recon
 {
-/// The lower median, so that one gap between two slices counts.
-double MedianThickness(const std::vector<SlabState>& slabs);
-
 /**
  * Sets Joins of every slab, whose Thickness is known, and tells in report of the gaps.
  *

@@ -210,7 +210,7 @@ private:
   {
     const int last = static_cast<int>(this->Slabs.size()) - 1;
     const SlabState& slab = this->Slabs[std::clamp(towards > 0 ? level : level - 1, 0, last)];
-    return slab.Joins.IsGap ? MedianThickness(this->Slabs) : slab.Thickness;
+    return slab.Joins.IsGap ? this->Contours.Spacing() : slab.Thickness;
   }
 
   EndsOfSlabs FindPartialEndsOfSlabs(double progress) const
