@@ -14,11 +14,6 @@ namespace recon
 {
 namespace
 {
-std::size_t Index(int i)
-{
-  return static_cast<std::size_t>(i);
-}
-
 class Flattener
 {
 public:
@@ -46,7 +41,7 @@ public:
   }
 
 private:
-  const Ring& RingAt(int r) const { return this->Rings[Index(r)]; }
+  const Ring& RingAt(int r) const { return this->Rings[r]; }
 
   /// A number for every point of every ring in turn, in the order of first use.
   std::vector<int> NumberPoints()
@@ -61,7 +56,7 @@ private:
     at.reserve(input.size());
     for (int p : input)
     {
-      at.push_back(SnapToGrid(this->Plane.Frame.ToPlane(this->Soup.Points[Index(p)]), this->Grid));
+      at.push_back(SnapToGrid(this->Plane.Frame.ToPlane(this->Soup.Points[p]), this->Grid));
     }
     const std::vector<std::size_t> first = FirstOfEqual(at);
     std::vector<int> numbers(input.size());

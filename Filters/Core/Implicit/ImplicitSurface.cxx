@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Implicit/ImplicitSurface.h"
 
+#include "Base/Median.h"
 #include "Base/SubMonitor.h"
 #include "Implicit/Constraints/ContourPreview.h"
 
@@ -45,8 +46,7 @@ double MedianGap(const std::vector<double>& heights)
   {
     gaps.push_back(heights[l] - heights[l - 1]);
   }
-  std::sort(gaps.begin(), gaps.end());
-  return gaps.empty() ? 0 : gaps[gaps.size() / 2];
+  return Median(std::move(gaps));
 }
 
 /// Points of the contours as they were given, of their edges too: resampling leaves out points, and

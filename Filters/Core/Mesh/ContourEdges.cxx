@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Mesh/ContourEdges.h"
 
+#include "Base/BoundingBox.h"
+
 #include <algorithm>
 #include <set>
 
@@ -12,20 +14,15 @@ constexpr double RelativeTolerance = 1e-9;
 
 double Diagonal(const TriangleMesh& mesh)
 {
-  Point3 low = mesh.Points[mesh.Triangles.front()[0]];
-  Point3 high = low;
+  Box3 box;
   for (const auto& corners : mesh.Triangles)
   {
     for (const int point : corners)
     {
-      for (int i = 0; i < 3; ++i)
-      {
-        low[i] = std::min(low[i], mesh.Points[point][i]);
-        high[i] = std::max(high[i], mesh.Points[point][i]);
-      }
+      box.Add(mesh.Points[point]);
     }
   }
-  return Norm(high - low);
+  return box.Diagonal();
 }
 
 /// Without points that repeat the one before.

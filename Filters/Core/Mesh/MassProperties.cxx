@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Mesh/MassProperties.h"
 
+#include "Base/Angles.h"
 #include "Base/BoundingBox.h"
 
 #include <algorithm>
@@ -47,22 +48,6 @@ void GrowBounds(const TriangleMesh& mesh, const std::array<int, 3>& triangle, Su
   }
 }
 
-/// Cotangent of the smallest angle; infinity where the triangle has no area.
-double CotangentOfSmallestAngle(
-  const Vector3& ab, const Vector3& bc, const Vector3& ca, double doubledArea)
-{
-  if (doubledArea <= 0)
-  {
-    return std::numeric_limits<double>::infinity();
-  }
-  const std::array<double, 3> squared{ Dot(ab, ab), Dot(bc, bc), Dot(ca, ca) };
-  const auto shortest = std::min_element(squared.begin(), squared.end()) - squared.begin();
-  // The smallest angle is opposite the shortest side; the other two sides run one in, one out of
-  // its corner.
-  const double product = shortest == 0 ? Dot(bc, ca) : shortest == 1 ? Dot(ca, ab) : Dot(ab, bc);
-  return -product / doubledArea;
-}
-
 void AddTriangle(const TriangleMesh& mesh, const std::array<int, 3>& triangle, Sums& sums)
 {
   const Vector3 a = mesh.Points[triangle[0]] - sums.Middle;
@@ -106,8 +91,6 @@ std::vector<Sums> AddUp(
   return sums;
 }
 
-constexpr double DegreesPerRadian = 57.29577951308232;
-
 MassFigures ToFigures(const Sums& sums, bool encloses)
 {
   MassFigures figures;
@@ -118,7 +101,7 @@ MassFigures ToFigures(const Sums& sums, bool encloses)
   figures.Area = sums.Area.Value();
   figures.Low = sums.Bounds.Low;
   figures.High = sums.Bounds.High;
-  figures.SmallestAngle = std::atan2(1.0, sums.LargestCotangent) * DegreesPerRadian;
+  figures.SmallestAngle = std::atan2(1.0, sums.LargestCotangent) / RadiansPerDegree;
   if (!encloses)
   {
     return figures;
@@ -195,7 +178,7 @@ double ComputeSmallestAngle(const TriangleMesh& mesh)
     const Vector3 ca = mesh.Points[t[0]] - mesh.Points[t[2]];
     largest = std::max(largest, CotangentOfSmallestAngle(ab, bc, ca, Norm(Cross(ab, bc))));
   }
-  return std::atan2(1.0, largest) * DegreesPerRadian;
+  return std::atan2(1.0, largest) / RadiansPerDegree;
 }
 
 std::vector<double> ComputeSignedVolumes(

@@ -23,10 +23,6 @@ constexpr double Growth = 10;
 constexpr std::size_t FewEdges = 1000000;
 constexpr std::size_t EdgesEach = 40;
 
-std::size_t Index(int i)
-{
-  return static_cast<std::size_t>(i);
-}
 }
 
 Arrangement::Arrangement(std::vector<Point2>& points, std::vector<PlanarEdge> edges,
@@ -103,13 +99,13 @@ void Arrangement::Keep(const std::vector<bool>& kept)
 
 void Arrangement::Join(int tag, int other)
 {
-  this->InConflict[Index(tag)] = this->InConflict[Index(other)] = true;
+  this->InConflict[tag] = this->InConflict[other] = true;
   this->Sets.Join(tag, other);
 }
 
 Arrangement::Findings& Arrangement::FoundAt(int edge)
 {
-  return this->Found[Index(this->All[Index(edge)].Tag)];
+  return this->Found[this->All[edge].Tag];
 }
 
 void Arrangement::SumEqual()
@@ -118,22 +114,22 @@ void Arrangement::SumEqual()
   std::vector<int> order(this->All.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(),
-    [&](int e, int f) { return key(this->All[Index(e)]) < key(this->All[Index(f)]); });
+    [&](int e, int f) { return key(this->All[e]) < key(this->All[f]); });
   std::vector<bool> keep(this->All.size(), true);
   for (std::size_t i = 0; i < order.size();)
   {
     std::size_t end = i + 1;
-    PlanarEdge& first = this->All[Index(order[i])];
-    while (end < order.size() && key(this->All[Index(order[end])]) == key(first))
+    PlanarEdge& first = this->All[order[i]];
+    while (end < order.size() && key(this->All[order[end]]) == key(first))
     {
-      const PlanarEdge& next = this->All[Index(order[end])];
+      const PlanarEdge& next = this->All[order[end]];
       this->Join(first.Tag, next.Tag);
       first.Weight += next.A == first.A ? next.Weight : -next.Weight;
-      keep[Index(order[end])] = false;
+      keep[order[end]] = false;
       ++end;
     }
     const bool none = this->Sum == SumType::Weight ? first.Weight == 0 : (end - i) % 2 == 0;
-    keep[Index(order[i])] = !none;
+    keep[order[i]] = !none;
     this->FoundAt(order[i]).Cancelled += end - i > 1 ? 1 : 0;
     i = end;
   }
@@ -154,12 +150,12 @@ void Arrangement::Merge(std::vector<EdgeConflicts::Twins> twins)
   std::iota(standIn.begin(), standIn.end(), 0);
   for (const EdgeConflicts::Twins& t : twins)
   {
-    this->Join(this->All[Index(t.FirstEdge)].Tag, this->All[Index(t.OtherEdge)].Tag);
-    if (standIn[Index(t.Second)] != t.Second || standIn[Index(t.First)] != t.First)
+    this->Join(this->All[t.FirstEdge].Tag, this->All[t.OtherEdge].Tag);
+    if (standIn[t.Second] != t.Second || standIn[t.First] != t.First)
     {
       continue;
     }
-    standIn[Index(t.Second)] = t.First;
+    standIn[t.Second] = t.First;
     Findings& found = this->FoundAt(t.FirstEdge);
     ++found.Merged;
     found.Moved = std::max(found.Moved, Distance(this->At(t.First), this->At(t.Second)));
@@ -172,8 +168,8 @@ void Arrangement::MoveEnds(const std::vector<int>& standIn)
   std::vector<PlanarEdge> moved;
   for (PlanarEdge e : this->All)
   {
-    e.A = standIn[Index(e.A)];
-    e.B = standIn[Index(e.B)];
+    e.A = standIn[e.A];
+    e.B = standIn[e.B];
     if (e.A != e.B)
     {
       moved.push_back(e);
@@ -199,8 +195,8 @@ void Arrangement::AddTouches(const EdgeConflicts& conflicts, std::vector<std::ve
 {
   for (const EdgeConflicts::Touch& t : conflicts.Touches)
   {
-    this->Join(this->All[Index(t.Edge)].Tag, this->All[Index(t.Other)].Tag);
-    std::vector<int>& onEdge = inner[Index(t.Edge)];
+    this->Join(this->All[t.Edge].Tag, this->All[t.Other].Tag);
+    std::vector<int>& onEdge = inner[t.Edge];
     // Several edges may end in the point; touches are sorted, so it is the last one that was added.
     if (onEdge.empty() || onEdge.back() != t.Vertex)
     {
@@ -214,12 +210,12 @@ void Arrangement::AddCrossings(const EdgeConflicts& conflicts, std::vector<std::
 {
   for (const EdgeConflicts::Crossing& c : conflicts.Crossings)
   {
-    const PlanarEdge& e = this->All[Index(c.First)];
-    const PlanarEdge& f = this->All[Index(c.Second)];
+    const PlanarEdge& e = this->All[c.First];
+    const PlanarEdge& f = this->All[c.Second];
     const int p =
       this->PointAt(CrossingPoint(this->At(e.A), this->At(e.B), this->At(f.A), this->At(f.B)));
-    inner[Index(c.First)].push_back(p);
-    inner[Index(c.Second)].push_back(p);
+    inner[c.First].push_back(p);
+    inner[c.Second].push_back(p);
     this->Join(e.Tag, f.Tag);
     ++this->FoundAt(c.First).Crossings;
   }

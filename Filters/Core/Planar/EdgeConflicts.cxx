@@ -20,11 +20,6 @@ namespace
 {
 using EdgeBox = CGAL::Box_intersection_d::Box_with_info_d<double, 2, int>;
 
-std::size_t Index(int i)
-{
-  return static_cast<std::size_t>(i);
-}
-
 class ConflictFinder
 {
 public:
@@ -70,19 +65,18 @@ public:
   }
 
 private:
-  const Point2& At(int p) const { return this->Points[Index(p)]; }
+  const Point2& At(int p) const { return this->Points[p]; }
 
-  double ToleranceOf(const PlanarEdge& e) const { return this->Tolerances[Index(e.Tag)]; }
+  double ToleranceOf(const PlanarEdge& e) const { return this->Tolerances[e.Tag]; }
   double ToleranceOf(int i, int j) const
   {
-    return std::min(
-      this->ToleranceOf(this->Edges[Index(i)]), this->ToleranceOf(this->Edges[Index(j)]));
+    return std::min(this->ToleranceOf(this->Edges[i]), this->ToleranceOf(this->Edges[j]));
   }
 
   void Test(int i, int j)
   {
-    const PlanarEdge& e = this->Edges[Index(i)];
-    const PlanarEdge& f = this->Edges[Index(j)];
+    const PlanarEdge& e = this->Edges[i];
+    const PlanarEdge& f = this->Edges[j];
     if (e.A == f.A || e.A == f.B || e.B == f.A || e.B == f.B)
     {
       this->TestFan(i, j);
@@ -126,8 +120,8 @@ private:
 
   bool AreTwins(int i, int j)
   {
-    const PlanarEdge& e = this->Edges[Index(i)];
-    const PlanarEdge& f = this->Edges[Index(j)];
+    const PlanarEdge& e = this->Edges[i];
+    const PlanarEdge& f = this->Edges[j];
     bool any = false;
     for (int p : { e.A, e.B })
     {
@@ -151,8 +145,8 @@ private:
 
   bool NearlyTouch(int i, int j)
   {
-    const PlanarEdge& e = this->Edges[Index(i)];
-    const PlanarEdge& f = this->Edges[Index(j)];
+    const PlanarEdge& e = this->Edges[i];
+    const PlanarEdge& f = this->Edges[j];
     const bool first = this->TouchIfNear(i, j, f.A);
     const bool second = this->TouchIfNear(i, j, f.B);
     const bool third = this->TouchIfNear(j, i, e.A);
@@ -162,7 +156,7 @@ private:
 
   bool TouchIfNear(int edge, int other, int vertex)
   {
-    const PlanarEdge& e = this->Edges[Index(edge)];
+    const PlanarEdge& e = this->Edges[edge];
     const Point2& a = this->At(e.A);
     const Point2 along{ this->At(e.B)[0] - a[0], this->At(e.B)[1] - a[1] };
     const Point2 to{ this->At(vertex)[0] - a[0], this->At(vertex)[1] - a[1] };
@@ -181,8 +175,8 @@ private:
   /// Two edges of one end point overlap where they leave it in the same direction.
   void TestFan(int i, int j)
   {
-    const PlanarEdge& e = this->Edges[Index(i)];
-    const PlanarEdge& f = this->Edges[Index(j)];
+    const PlanarEdge& e = this->Edges[i];
+    const PlanarEdge& f = this->Edges[j];
     const int common = (e.A == f.A || e.A == f.B) ? e.A : e.B;
     const int p = e.A == common ? e.B : e.A;
     const int q = f.A == common ? f.B : f.A;
@@ -201,7 +195,7 @@ private:
 
   void Touch(int turn, int edge, int other, int vertex)
   {
-    const PlanarEdge& e = this->Edges[Index(edge)];
+    const PlanarEdge& e = this->Edges[edge];
     if (turn == 0 && StrictlyBetween(this->At(e.A), this->At(e.B), this->At(vertex)))
     {
       this->Found.Touches.push_back({ edge, other, vertex });

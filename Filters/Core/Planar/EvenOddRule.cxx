@@ -16,11 +16,6 @@ namespace recon
 {
 namespace
 {
-std::size_t Index(int i)
-{
-  return static_cast<std::size_t>(i);
-}
-
 class EvenOdd
 {
 public:
@@ -69,7 +64,7 @@ private:
     {
       for (int p : this->Loops[l])
       {
-        int& first = visitor[Index(p)];
+        int& first = visitor[p];
         if (first >= 0)
         {
           this->Plane.Join(first, static_cast<int>(l));
@@ -89,7 +84,7 @@ private:
     std::vector<bool> left(this->Loops.size(), false);
     for (const PlanarEdge& e : this->Plane.Edges())
     {
-      left[Index(e.Tag)] = true;
+      left[e.Tag] = true;
       if (this->Plane.HasConflict(e.Tag))
       {
         inConflict.push_back(e);
@@ -111,10 +106,10 @@ private:
     std::vector<EvenOddResult::Loop> traced;
     for (TracedLoop& loop : TraceLoops(this->Points, inConflict))
     {
-      int origin = inConflict[Index(loop.Edges[0])].Tag;
+      int origin = inConflict[loop.Edges[0]].Tag;
       for (int e : loop.Edges)
       {
-        origin = std::min(origin, inConflict[Index(e)].Tag);
+        origin = std::min(origin, inConflict[e].Tag);
       }
       traced.push_back({ std::move(loop.Points), origin });
     }

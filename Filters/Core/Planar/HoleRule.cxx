@@ -12,11 +12,6 @@ namespace recon
 {
 namespace
 {
-std::size_t Index(int i)
-{
-  return static_cast<std::size_t>(i);
-}
-
 /// Outer walls counterclockwise, holes clockwise.
 void Orient(const std::vector<Point2>& points, std::vector<std::vector<int>>& loops)
 {
@@ -57,7 +52,7 @@ public:
     EvenOddResult united = ApplyWindingRule(this->Points, this->Pieces, this->SnapTolerance);
     for (EvenOddResult::Loop& loop : united.Loops)
     {
-      loop.Origin = this->Owners[Index(loop.Origin)];
+      loop.Origin = this->Owners[loop.Origin];
     }
     for (EvenOddCluster& cluster : united.Clusters)
     {
@@ -100,7 +95,7 @@ private:
   {
     for (int& piece : pieces)
     {
-      piece = this->Owners[Index(piece)];
+      piece = this->Owners[piece];
     }
     std::sort(pieces.begin(), pieces.end());
     pieces.erase(std::unique(pieces.begin(), pieces.end()), pieces.end());

@@ -12,11 +12,6 @@ namespace recon
 {
 namespace
 {
-std::size_t Index(int i)
-{
-  return static_cast<std::size_t>(i);
-}
-
 class Tracer
 {
 public:
@@ -45,17 +40,11 @@ public:
   }
 
 private:
-  int Start(int e) const
-  {
-    return this->Direction[Index(e)] > 0 ? this->Edges[Index(e)].A : this->Edges[Index(e)].B;
-  }
-  int End(int e) const
-  {
-    return this->Direction[Index(e)] > 0 ? this->Edges[Index(e)].B : this->Edges[Index(e)].A;
-  }
+  int Start(int e) const { return this->Direction[e] > 0 ? this->Edges[e].A : this->Edges[e].B; }
+  int End(int e) const { return this->Direction[e] > 0 ? this->Edges[e].B : this->Edges[e].A; }
   int Other(int e, int p) const
   {
-    return this->Edges[Index(e)].A == p ? this->Edges[Index(e)].B : this->Edges[Index(e)].A;
+    return this->Edges[e].A == p ? this->Edges[e].B : this->Edges[e].A;
   }
 
   /// The edges around every point, counterclockwise.
@@ -64,8 +53,8 @@ private:
     this->First.assign(this->Points.size() + 1, 0);
     for (const PlanarEdge& e : this->Edges)
     {
-      ++this->First[Index(e.A) + 1];
-      ++this->First[Index(e.B) + 1];
+      ++this->First[e.A + 1];
+      ++this->First[e.B + 1];
     }
     for (std::size_t p = 0; p < this->Points.size(); ++p)
     {
@@ -75,8 +64,8 @@ private:
     this->Fan.resize(2 * this->Edges.size());
     for (std::size_t i = 0; i < this->Edges.size(); ++i)
     {
-      this->Fan[Index(fill[Index(this->Edges[i].A)]++)] = static_cast<int>(i);
-      this->Fan[Index(fill[Index(this->Edges[i].B)]++)] = static_cast<int>(i);
+      this->Fan[fill[this->Edges[i].A]++] = static_cast<int>(i);
+      this->Fan[fill[this->Edges[i].B]++] = static_cast<int>(i);
     }
     for (std::size_t p = 0; p < this->Points.size(); ++p)
     {
@@ -98,11 +87,10 @@ private:
   {
     const auto before = [&](int e, int f)
     {
-      return ComesFirstFromBelow(this->Points[Index(p)], this->Points[Index(this->Other(e, p))],
-        this->Points[Index(this->Other(f, p))]);
+      return ComesFirstFromBelow(
+        this->Points[p], this->Points[this->Other(e, p)], this->Points[this->Other(f, p)]);
     };
-    std::sort(this->Fan.begin() + this->First[Index(p)],
-      this->Fan.begin() + this->First[Index(p) + 1], before);
+    std::sort(this->Fan.begin() + this->First[p], this->Fan.begin() + this->First[p + 1], before);
   }
 
   /// Gives every edge the direction that has the inside on its left.
@@ -114,18 +102,18 @@ private:
       order[p] = static_cast<int>(p);
     }
     std::sort(order.begin(), order.end(),
-      [this](int p, int q) { return this->Points[Index(p)] < this->Points[Index(q)]; });
+      [this](int p, int q) { return this->Points[p] < this->Points[q]; });
     // The first point of a connected piece has the outside on its left: the lowest edge goes out.
     for (int p : order)
     {
-      if (this->First[Index(p)] == this->First[Index(p) + 1])
+      if (this->First[p] == this->First[p + 1])
       {
         continue;
       }
       const int lowest = this->LowestAt(p);
-      if (this->Direction[Index(lowest)] == 0)
+      if (this->Direction[lowest] == 0)
       {
-        this->Direction[Index(lowest)] = this->Edges[Index(lowest)].A == p ? 1 : -1;
+        this->Direction[lowest] = this->Edges[lowest].A == p ? 1 : -1;
         this->Spread(p);
       }
     }
@@ -133,12 +121,12 @@ private:
 
   int LowestAt(int p) const
   {
-    const int e = this->Fan[Index(this->First[Index(p)])];
-    const int f = this->Fan[Index(this->First[Index(p)]) + 1];
-    const bool two = this->First[Index(p) + 1] - this->First[Index(p)] == 2;
+    const int e = this->Fan[this->First[p]];
+    const int f = this->Fan[this->First[p] + 1];
+    const bool two = this->First[p + 1] - this->First[p] == 2;
     const bool swap = two &&
-      Orientation2(this->Points[Index(p)], this->Points[Index(this->Other(e, p))],
-        this->Points[Index(this->Other(f, p))]) < 0;
+      Orientation2(
+        this->Points[p], this->Points[this->Other(e, p)], this->Points[this->Other(f, p)]) < 0;
     return swap ? f : e;
   }
 
@@ -150,21 +138,21 @@ private:
     {
       const int p = stack.back();
       stack.pop_back();
-      const int begin = this->First[Index(p)];
-      const int degree = this->First[Index(p) + 1] - begin;
+      const int begin = this->First[p];
+      const int degree = this->First[p + 1] - begin;
       int known = 0;
-      while (this->Direction[Index(this->Fan[Index(begin + known)])] == 0)
+      while (this->Direction[this->Fan[begin + known]] == 0)
       {
         ++known;
       }
-      const bool knownOut = this->Start(this->Fan[Index(begin + known)]) == p;
+      const bool knownOut = this->Start(this->Fan[begin + known]) == p;
       for (int k = 0; k < degree; ++k)
       {
-        const int e = this->Fan[Index(begin + k)];
+        const int e = this->Fan[begin + k];
         const bool out = knownOut == ((k - known) % 2 == 0);
-        if (this->Direction[Index(e)] == 0)
+        if (this->Direction[e] == 0)
         {
-          this->Direction[Index(e)] = (this->Edges[Index(e)].A == p) == out ? 1 : -1;
+          this->Direction[e] = (this->Edges[e].A == p) == out ? 1 : -1;
           stack.push_back(this->Other(e, p));
         }
         else if ((this->Start(e) == p) != out)
@@ -180,14 +168,14 @@ private:
   int Next(int e) const
   {
     const int p = this->End(e);
-    const int begin = this->First[Index(p)];
-    const int degree = this->First[Index(p) + 1] - begin;
+    const int begin = this->First[p];
+    const int degree = this->First[p + 1] - begin;
     int k = 0;
-    while (this->Fan[Index(begin + k)] != e)
+    while (this->Fan[begin + k] != e)
     {
       ++k;
     }
-    return this->Fan[Index(begin + (k + degree - 1) % degree)];
+    return this->Fan[begin + (k + degree - 1) % degree];
   }
 
   /// Follows one boundary of the inside; a loop is cut off wherever it comes back to a point.
@@ -195,23 +183,23 @@ private:
     std::vector<TracedLoop>& loops) const
   {
     std::vector<int> path;
-    position[Index(this->Start(e))] = 0;
+    position[this->Start(e)] = 0;
     do
     {
-      used[Index(e)] = true;
+      used[e] = true;
       path.push_back(e);
-      int& at = position[Index(this->End(e))];
+      int& at = position[this->End(e)];
       if (at < 0)
       {
         at = static_cast<int>(path.size());
       }
       else
       {
-        loops.push_back(this->CutLoop(path, Index(at), position));
+        loops.push_back(this->CutLoop(path, at, position));
       }
       e = this->Next(e);
-    } while (!used[Index(e)]);
-    position[Index(this->Start(e))] = -1;
+    } while (!used[e]);
+    position[this->Start(e)] = -1;
   }
 
   TracedLoop CutLoop(std::vector<int>& path, std::size_t from, std::vector<int>& position) const
@@ -223,7 +211,7 @@ private:
       loop.Edges.push_back(path[i]);
       if (i > from)
       {
-        position[Index(this->Start(path[i]))] = -1;
+        position[this->Start(path[i])] = -1;
       }
     }
     path.resize(from);

@@ -48,11 +48,6 @@ constexpr double PointsOnOther = 0.9;
 
 constexpr int MostDecimals = 8;
 
-std::size_t Index(int i)
-{
-  return static_cast<std::size_t>(i);
-}
-
 class TwinFinder
 {
 public:
@@ -68,7 +63,7 @@ public:
       Box2 box;
       for (int p : loop)
       {
-        box.Add(points[Index(p)]);
+        box.Add(points[p]);
       }
       this->Boxes.push_back(box);
     }
@@ -116,14 +111,13 @@ private:
   /// Smaller for finer decimals, then for more points, then for the first.
   std::tuple<double, std::ptrdiff_t, int> Fineness(int loop) const
   {
-    const auto points = static_cast<std::ptrdiff_t>(this->Loops[Index(loop)].size());
-    return { this->Units[Index(loop)], -points, loop };
+    const auto points = static_cast<std::ptrdiff_t>(this->Loops[loop].size());
+    return { this->Units[loop], -points, loop };
   }
 
   double ReachOf(int loop) const
   {
-    return std::max(
-      WithFewerPoints.Distance * this->Boxes[Index(loop)].Diagonal(), 2 * this->Units[Index(loop)]);
+    return std::max(WithFewerPoints.Distance * this->Boxes[loop].Diagonal(), 2 * this->Units[loop]);
   }
 
   /// Pairs with boxes whose corners are no farther apart than twins' can be.
@@ -142,8 +136,8 @@ private:
     CGAL::box_self_intersection_d(corners.begin(), corners.end(),
       [&](const CornerBox& x, const CornerBox& y)
       {
-        const Point2& a = this->Boxes[Index(x.info())].High;
-        const Point2& b = this->Boxes[Index(y.info())].High;
+        const Point2& a = this->Boxes[x.info()].High;
+        const Point2& b = this->Boxes[y.info()].High;
         const double reach = this->ReachOf(x.info()) + this->ReachOf(y.info());
         if (std::abs(a[0] - b[0]) <= reach && std::abs(a[1] - b[1]) <= reach)
         {
@@ -156,7 +150,7 @@ private:
   bool AreTwins(LoopTwin& twin)
   {
     const double diagonal =
-      std::max(this->Boxes[Index(twin.Loop)].Diagonal(), this->Boxes[Index(twin.Of)].Diagonal());
+      std::max(this->Boxes[twin.Loop].Diagonal(), this->Boxes[twin.Of].Diagonal());
     const double rounding = this->RoundingOf(twin, diagonal);
     const bool hasShape = diagonal >= SmallestInRoundings * rounding;
     const double reach = std::max(
@@ -181,8 +175,8 @@ private:
   /// How far apart rounding alone can have put points of the two.
   double RoundingOf(const LoopTwin& twin, double diagonal) const
   {
-    const double coarse = this->Units[Index(twin.Loop)];
-    const double fine = this->Units[Index(twin.Of)];
+    const double coarse = this->Units[twin.Loop];
+    const double fine = this->Units[twin.Of];
     double rounding = NothingBesideLoop * diagonal;
     if (coarse != fine)
     {
@@ -200,10 +194,10 @@ private:
   {
     double farthest = 0;
     const EdgeTree& tree = this->TreeOf(other);
-    for (int p : this->Loops[Index(loop)])
+    for (int p : this->Loops[loop])
     {
       const double beyond = std::nextafter(reach, HUGE_VAL);
-      farthest = std::max(farthest, tree.DistanceWithin(this->Points[Index(p)], beyond));
+      farthest = std::max(farthest, tree.DistanceWithin(this->Points[p], beyond));
       if (farthest > reach)
       {
         return HUGE_VAL;
@@ -259,20 +253,20 @@ private:
   bool LiesOn(int loop, int other, double within)
   {
     const EdgeTree& tree = this->TreeOf(other);
-    const std::vector<int>& p = this->Loops[Index(loop)];
+    const std::vector<int>& p = this->Loops[loop];
     const double beyond = std::nextafter(within, HUGE_VAL);
     const auto on = std::count_if(p.begin(), p.end(),
-      [&](int q) { return tree.DistanceWithin(this->Points[Index(q)], beyond) <= within; });
+      [&](int q) { return tree.DistanceWithin(this->Points[q], beyond) <= within; });
     return static_cast<double>(on) >= PointsOnOther * static_cast<double>(p.size());
   }
 
   std::vector<PlanarSegment> SegmentsOf(int loop) const
   {
-    const std::vector<int>& p = this->Loops[Index(loop)];
+    const std::vector<int>& p = this->Loops[loop];
     std::vector<PlanarSegment> segments;
     for (std::size_t i = 0; i < p.size(); ++i)
     {
-      segments.push_back({ this->Points[Index(p[i])], this->Points[Index(p[(i + 1) % p.size()])] });
+      segments.push_back({ this->Points[p[i]], this->Points[p[(i + 1) % p.size()]] });
     }
     return segments;
   }
@@ -289,7 +283,7 @@ private:
 
   double AreaOf(int loop) const
   {
-    const Point2& o = this->Points[Index(this->Loops[Index(loop)][0])];
+    const Point2& o = this->Points[this->Loops[loop][0]];
     double twice = 0;
     for (const PlanarSegment& s : this->SegmentsOf(loop))
     {

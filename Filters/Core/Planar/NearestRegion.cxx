@@ -10,11 +10,6 @@ namespace recon
 {
 namespace
 {
-std::size_t Index(int i)
-{
-  return static_cast<std::size_t>(i);
-}
-
 class Finder
 {
 public:
@@ -40,12 +35,12 @@ public:
   }
 
 private:
-  const Point2& At(int p) const { return this->Set.Planar[Index(p)]; }
+  const Point2& At(int p) const { return this->Set.Planar[p]; }
 
   Box2 BoxOf(int contour) const
   {
     Box2 box;
-    for (int p : this->Set.Contours[Index(contour)].Points)
+    for (int p : this->Set.Contours[contour].Points)
     {
       box.Add(this->At(p));
     }
@@ -59,7 +54,7 @@ private:
     std::vector<PlanarSegment> borders;
     for (int c : contours)
     {
-      const std::vector<int>& p = this->Set.Contours[Index(c)].Points;
+      const std::vector<int>& p = this->Set.Contours[c].Points;
       for (std::size_t i = 0; i < p.size(); ++i)
       {
         borders.push_back({ this->At(p[i]), this->At(p[(i + 1) % p.size()]) });
@@ -82,11 +77,11 @@ std::optional<NearestRegion> FindNearestRegion(const ContourSet& contours,
   std::optional<NearestRegion> nearest;
   for (int wall : level.Contours)
   {
-    if (!regions[Index(wall)].Solid)
+    if (!regions[wall].Solid)
     {
       continue;
     }
-    const double distance = finder.DistanceTo(regions[Index(wall)], reach);
+    const double distance = finder.DistanceTo(regions[wall], reach);
     if (distance < reach)
     {
       reach = distance;

@@ -13,11 +13,6 @@ namespace recon
 {
 namespace
 {
-std::size_t Index(int i)
-{
-  return static_cast<std::size_t>(i);
-}
-
 /// An edge from its smaller to its larger end, in the order of points.
 struct SweepEdge
 {
@@ -57,22 +52,21 @@ public:
     std::sort(ends.begin(), ends.end(),
       [this](int e, int f)
       {
-        const SweepEdge& x = this->Edges[Index(e)];
-        const SweepEdge& y = this->Edges[Index(f)];
+        const SweepEdge& x = this->Edges[e];
+        const SweepEdge& y = this->Edges[f];
         return x.Right != y.Right ? this->At(x.Right) < this->At(y.Right) : e < f;
       });
     this->Where.assign(this->Edges.size(), this->Status.end());
     std::size_t ended = 0;
     for (int e : starts)
     {
-      const Point2& now = this->At(this->Edges[Index(e)].Left);
-      for (; ended < ends.size() && !(now < this->At(this->Edges[Index(ends[ended])].Right));
-           ++ended)
+      const Point2& now = this->At(this->Edges[e].Left);
+      for (; ended < ends.size() && !(now < this->At(this->Edges[ends[ended]].Right)); ++ended)
       {
-        this->Status.erase(this->Where[Index(ends[ended])]);
+        this->Status.erase(this->Where[ends[ended]]);
       }
       const auto place = this->Status.insert(e).first;
-      this->Where[Index(e)] = place;
+      this->Where[e] = place;
       this->PlaceLoop(e, place);
     }
     return std::move(this->Forest);
@@ -86,7 +80,7 @@ private:
   };
   using StatusType = std::set<int, Below>;
 
-  const Point2& At(int p) const { return this->Points[Index(p)]; }
+  const Point2& At(int p) const { return this->Points[p]; }
 
   void AddLoop(const std::vector<int>& loop, int number)
   {
@@ -103,8 +97,8 @@ private:
 
   bool StartsBefore(int e, int f) const
   {
-    const SweepEdge& x = this->Edges[Index(e)];
-    const SweepEdge& y = this->Edges[Index(f)];
+    const SweepEdge& x = this->Edges[e];
+    const SweepEdge& y = this->Edges[f];
     if (x.Left != y.Left)
     {
       return this->At(x.Left) < this->At(y.Left);
@@ -123,8 +117,8 @@ private:
     {
       return false;
     }
-    const SweepEdge& x = this->Edges[Index(e)];
-    const SweepEdge& y = this->Edges[Index(f)];
+    const SweepEdge& x = this->Edges[e];
+    const SweepEdge& y = this->Edges[f];
     if (x.Left == y.Left)
     {
       return this->StartsBefore(e, f);
@@ -139,19 +133,19 @@ private:
   /// The first edge of a loop that comes in is the lower one at its leftmost point.
   void PlaceLoop(int e, StatusType::iterator place)
   {
-    const int loop = this->Edges[Index(e)].Loop;
-    if (this->Forest.Depth[Index(loop)] >= 0)
+    const int loop = this->Edges[e].Loop;
+    if (this->Forest.Depth[loop] >= 0)
     {
       return;
     }
     int parent = -1;
     if (place != this->Status.begin())
     {
-      const SweepEdge& below = this->Edges[Index(*std::prev(place))];
-      parent = below.InsideAbove ? below.Loop : this->Forest.Parent[Index(below.Loop)];
+      const SweepEdge& below = this->Edges[*std::prev(place)];
+      parent = below.InsideAbove ? below.Loop : this->Forest.Parent[below.Loop];
     }
-    this->Forest.Parent[Index(loop)] = parent;
-    this->Forest.Depth[Index(loop)] = parent < 0 ? 0 : this->Forest.Depth[Index(parent)] + 1;
+    this->Forest.Parent[loop] = parent;
+    this->Forest.Depth[loop] = parent < 0 ? 0 : this->Forest.Depth[parent] + 1;
   }
 
   const std::vector<Point2>& Points;
@@ -164,12 +158,11 @@ private:
 /// The turn at the smallest point: the exact sense of a simple loop.
 int SenseOf(const std::vector<Point2>& points, const std::vector<int>& loop)
 {
-  const auto smallest = std::min_element(loop.begin(), loop.end(),
-    [&points](int p, int q) { return points[Index(p)] < points[Index(q)]; });
+  const auto smallest = std::min_element(
+    loop.begin(), loop.end(), [&points](int p, int q) { return points[p] < points[q]; });
   const auto i = static_cast<std::size_t>(smallest - loop.begin());
   const std::size_t n = loop.size();
-  return Orientation2(
-    points[Index(loop[(i + n - 1) % n])], points[Index(loop[i])], points[Index(loop[(i + 1) % n])]);
+  return Orientation2(points[loop[(i + n - 1) % n]], points[loop[i]], points[loop[(i + 1) % n]]);
 }
 
 double ExactArea(const std::vector<Point2>& points, const std::vector<int>& loop)
@@ -178,8 +171,8 @@ double ExactArea(const std::vector<Point2>& points, const std::vector<int>& loop
   Rational twice(0);
   for (std::size_t i = 0; i < loop.size(); ++i)
   {
-    const Point2& a = points[Index(loop[i])];
-    const Point2& b = points[Index(loop[(i + 1) % loop.size()])];
+    const Point2& a = points[loop[i]];
+    const Point2& b = points[loop[(i + 1) % loop.size()]];
     twice += Rational(a[0]) * Rational(b[1]) - Rational(b[0]) * Rational(a[1]);
   }
   return CGAL::to_double(Rational(twice / 2));
@@ -188,13 +181,13 @@ double ExactArea(const std::vector<Point2>& points, const std::vector<int>& loop
 
 double SignedAreaOf(const std::vector<Point2>& points, const std::vector<int>& loop)
 {
-  const Point2& o = points[Index(loop[0])];
+  const Point2& o = points[loop[0]];
   double area = 0;
   double size = 0;
   for (std::size_t i = 1; i + 1 < loop.size(); ++i)
   {
-    const Point2& a = points[Index(loop[i])];
-    const Point2& b = points[Index(loop[i + 1])];
+    const Point2& a = points[loop[i]];
+    const Point2& b = points[loop[i + 1]];
     const double left = 0.5 * (a[0] - o[0]) * (b[1] - o[1]);
     const double right = 0.5 * (b[0] - o[0]) * (a[1] - o[1]);
     area += left - right;

@@ -16,11 +16,6 @@ namespace recon
 {
 namespace
 {
-std::size_t Index(int i)
-{
-  return static_cast<std::size_t>(i);
-}
-
 struct Winding
 {
   bool Known = false;
@@ -79,8 +74,7 @@ private:
       {
         if (vertexOf.emplace(p, VertexHandle()).second)
         {
-          used.emplace_back(
-            Kernel::Point_2(this->Points[Index(p)][0], this->Points[Index(p)][1]), p);
+          used.emplace_back(Kernel::Point_2(this->Points[p][0], this->Points[p][1]), p);
         }
       }
     }

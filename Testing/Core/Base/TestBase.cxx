@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The ground floor: BoundingBox, Geometry, Median, Parallel, PointGrid, Predicates, SpatialHash, Text.
+// The ground floor: Angles, BoundingBox, Geometry, Median, Parallel, PointGrid, Predicates, SpatialHash, Text.
+#include "Base/Angles.h"
 #include "Base/BoundingBox.h"
 #include "Base/DisjointSets.h"
 #include "Base/Geometry.h"
@@ -16,6 +17,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <random>
 #include <set>
 
@@ -225,6 +227,22 @@ TEST(Text, NumbersCountsAndLists)
   EXPECT_EQ(Listed(std::vector<int>{ 3, 5, 8 }, 6), "3, 5 and 8");
   EXPECT_EQ(Listed(std::vector<int>{ 3, 5, 8, 9 }, 2), "3, 5 and 2 more");
   EXPECT_EQ(Listed(std::vector<std::string>{ "a" }, 2), "a");
+}
+
+TEST(Angles, TheSmallestOfATriangleIsBetweenItsTwoLongerEdges)
+{
+  const auto smallest = [](const Point3& a, const Point3& b, const Point3& c)
+  {
+    const double area = Norm(Cross(b - a, c - a));
+    return std::atan2(1.0, CotangentOfSmallestAngle(b - a, c - b, a - c, area)) / RadiansPerDegree;
+  };
+  const Point3 a{ 0, 0, 0 };
+  const Point3 b{ std::sqrt(3.0), 0, 0 };
+  const Point3 c{ 0, 1, 0 };
+  EXPECT_NEAR(smallest(a, b, c), 30, 1e-13);
+  EXPECT_NEAR(smallest(c, a, b), 30, 1e-13);
+  EXPECT_NEAR(smallest(b, c, a), 30, 1e-13);
+  EXPECT_EQ(smallest(a, b, b), 0);
 }
 
 TEST(SubMonitor, HandsOnItsShareOfTheWhole)

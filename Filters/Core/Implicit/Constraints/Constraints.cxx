@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Implicit/Constraints/Constraints.h"
 
+#include "Base/Median.h"
 #include "Base/SubMonitor.h"
 #include "Base/Text.h"
 #include "Implicit/Constraints/CrossingMerge.h"
@@ -166,10 +167,7 @@ double ChooseMarginDistance(const ContourSet& contours, const ConstraintOptions&
   {
     return options.MarginDistance;
   }
-  std::vector<double> lengths = EdgeLengths(contours);
-  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
-  std::nth_element(lengths.begin(), middle, lengths.end());
-  return *middle / 3;
+  return Median(EdgeLengths(contours)) / 3;
 }
 
 ConstraintSet BuildInPlaneConstraints(

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Implicit/Constraints/ContourTips.h"
 
+#include "Base/BoundingBox.h"
+#include "Base/Median.h"
 #include "Planar/PlanarEdges.h"
 
 #include <algorithm>
@@ -134,20 +136,15 @@ private:
 
 double DiagonalOf(const ContourSet& contours)
 {
-  Point3 low = contours.Points[contours.Contours.front().Points.front()];
-  Point3 high = low;
+  Box3 box;
   for (const Contour& contour : contours.Contours)
   {
     for (const int p : contour.Points)
     {
-      for (int a = 0; a < 3; ++a)
-      {
-        low[a] = std::min(low[a], contours.Points[p][a]);
-        high[a] = std::max(high[a], contours.Points[p][a]);
-      }
+      box.Add(contours.Points[p]);
     }
   }
-  return Norm(high - low);
+  return box.Diagonal();
 }
 }
 
@@ -189,12 +186,7 @@ double TypicalGap(const ContourSet& contours)
     }
     gaps.push_back(least);
   }
-  if (gaps.empty())
-  {
-    return 0;
-  }
-  const auto middle = gaps.begin() + static_cast<std::ptrdiff_t>(gaps.size() / 2);
-  std::nth_element(gaps.begin(), middle, gaps.end());
-  return std::isfinite(*middle) ? *middle : 0;
+  const double middle = Median(gaps);
+  return std::isfinite(middle) ? middle : 0;
 }
 }

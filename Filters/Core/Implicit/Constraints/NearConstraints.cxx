@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Implicit/Constraints/NearConstraints.h"
 
+#include "Base/BoundingBox.h"
 #include "Base/PointGrid.h"
 
 #include <algorithm>
@@ -84,17 +85,7 @@ double LeastDistanceApart(const ConstraintSet& set)
   {
     return 0;
   }
-  Point3 low = set.Points.front();
-  Point3 high = low;
-  for (const Point3& p : set.Points)
-  {
-    for (int a = 0; a < 3; ++a)
-    {
-      low[a] = std::min(low[a], p[a]);
-      high[a] = std::max(high[a], p[a]);
-    }
-  }
-  const double s = 0.5 * Norm(high - low);
+  const double s = 0.5 * Box3::Around(set.Points).Diagonal();
   const double d = set.MarginDistance / s;
   const double t = std::sqrt(4 * std::numeric_limits<double>::epsilon() / (Tolerance * d));
   return std::min(t, MostOfMargin * d) * s;

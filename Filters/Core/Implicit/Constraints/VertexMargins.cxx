@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Implicit/Constraints/VertexMargins.h"
 
+#include "Base/Angles.h"
 #include "Planar/PlanarEdges.h"
 
 #include <algorithm>
@@ -10,7 +11,6 @@ namespace recon
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
 /// A margin that had to shrink below this part of d says nothing but noise, and is left out.
 constexpr double LeastMargin = 1e-6;
 /// What is left of d after a step that found no room.

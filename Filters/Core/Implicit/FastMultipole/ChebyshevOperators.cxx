@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Implicit/FastMultipole/ChebyshevOperators.h"
 
+#include "Base/Angles.h"
 #include "Base/Parallel.h"
 #include "Implicit/FastMultipole/ExpansionLoops.h"
 
@@ -19,7 +20,6 @@ namespace
 using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 using Degrees = std::array<int, 3>;
 
-constexpr double Pi = 3.14159265358979323846;
 /// An order's operators are part of those of the next one of these, which alone are computed: high
 /// ones take long.
 constexpr std::array<int, 3> ComputedOrders{ 10, LargestQuickOrder, LargestOrder };

@@ -42,19 +42,7 @@ Block Load(const Point3* points, std::size_t count)
 
 /// Points that one thread takes at a time; any number gives the same sums.
 constexpr std::size_t PointsPerPiece = 64;
-
-/// body(from, to) for the points in pieces that threads share.
-template <typename Body>
-void ForPieces(std::size_t points, int threads, const Body& body, Monitor& monitor)
-{
-  const auto run = [&](int piece)
-  {
-    const std::size_t from = static_cast<std::size_t>(piece) * PointsPerPiece;
-    body(from, std::min(points, from + PointsPerPiece));
-  };
-  ParallelFor(static_cast<int>((points + PointsPerPiece - 1) / PointsPerPiece), threads, run,
-    monitor, { 0, 1, "summing kernels" });
-}
+constexpr const char* Stage = "summing kernels";
 
 using Sums = std::array<double, Lanes>;
 
@@ -213,7 +201,7 @@ std::vector<double> SumAllKernels(const Kernel& phi, const std::vector<Point3>& 
   std::vector<double> sums(points.size());
   const auto sum = [&](std::size_t from, std::size_t to)
   { SumKernels(phi, centres, weights, points.data() + from, to - from, sums.data() + from); };
-  ForPieces(points.size(), threads, sum, monitor);
+  ParallelForBlocks(points.size(), PointsPerPiece, threads, sum, monitor, { 0, 1, Stage });
   return sums;
 }
 
@@ -225,7 +213,7 @@ std::vector<Vector3> SumAllKernelGradients(const Kernel& phi, const std::vector<
   const auto sum = [&](std::size_t from, std::size_t to) {
     SumKernelGradients(phi, centres, weights, points.data() + from, to - from, sums.data() + from);
   };
-  ForPieces(points.size(), threads, sum, monitor);
+  ParallelForBlocks(points.size(), PointsPerPiece, threads, sum, monitor, { 0, 1, Stage });
   return sums;
 }
 }

@@ -33,25 +33,12 @@ constexpr std::int32_t PointsPerRun = 256;
 
 constexpr const char* Stage = "summing kernels";
 
-/// Pieces side by side where they are worth a thread.
+/// Blocks side by side where there are enough of them to be worth a thread.
 template <typename Body>
-void ForPieces(std::size_t count, int perPiece, int threads, Monitor& monitor, const Body& body)
+void ForBlocks(std::size_t count, int block, int threads, Monitor& monitor, const Body& body)
 {
-  const int pieces = static_cast<int>((count + perPiece - 1) / perPiece);
-  const auto run = [&](int piece)
-  {
-    const std::size_t from = static_cast<std::size_t>(piece) * perPiece;
-    body(from, std::min(count, from + perPiece));
-  };
-  if (pieces < 4)
-  {
-    for (int piece = 0; piece < pieces; ++piece)
-    {
-      run(piece);
-    }
-    return;
-  }
-  ParallelFor(pieces, threads, run, monitor, { 0, 1, Stage });
+  constexpr std::size_t LeastBlocks = 4;
+  ParallelForBlocks(count, block, threads, body, monitor, { 0, 1, Stage }, LeastBlocks);
 }
 }
 
@@ -125,7 +112,7 @@ public:
     Expansions local;
     this->Expand(this->Self, local, monitor);
     const std::vector<std::int32_t>& leaves = this->Self.Leaves();
-    ForPieces(leaves.size(), BoxesPerPiece, this->Threads, monitor,
+    ForBlocks(leaves.size(), BoxesPerPiece, this->Threads, monitor,
       [&](std::size_t from, std::size_t to)
       {
         for (std::size_t i = from; i < to; ++i)
@@ -180,7 +167,7 @@ public:
     {
       sorted.push_back(this->Cube.ToUnit(points[number]));
     }
-    ForPieces(runs.size(), BoxesPerPiece, this->Threads, monitor,
+    ForBlocks(runs.size(), BoxesPerPiece, this->Threads, monitor,
       [&](std::size_t from, std::size_t to)
       {
         for (std::size_t i = from; i < to; ++i)
@@ -235,7 +222,7 @@ private:
 
   void FillLeaves(Monitor& monitor)
   {
-    ForPieces(this->Self.Leaves().size(), BoxesPerPiece, this->Threads, monitor,
+    ForBlocks(this->Self.Leaves().size(), BoxesPerPiece, this->Threads, monitor,
       [&](std::size_t from, std::size_t to)
       {
         for (std::size_t i = from; i < to; ++i)
@@ -264,7 +251,7 @@ private:
     const int childOrder = this->Orders[level + 1];
     const int order = this->Orders[level];
     const SparseOperator& op = UpwardOperator(childOrder, order);
-    ForPieces(this->Tree.LevelEnd(level) - begin, BoxesPerPiece, this->Threads, monitor,
+    ForBlocks(this->Tree.LevelEnd(level) - begin, BoxesPerPiece, this->Threads, monitor,
       [&](std::size_t from, std::size_t to)
       {
         Translator up(op, childOrder, order);
@@ -353,7 +340,7 @@ private:
 
   void AddFar(const KernelSumPlan& plan, Expansions& local, Monitor& monitor) const
   {
-    ForPieces(plan.Chunks().size(), 1, this->Threads, monitor,
+    ForBlocks(plan.Chunks().size(), 1, this->Threads, monitor,
       [&](std::size_t c, std::size_t)
       {
         const FarChunk& chunk = plan.Chunks()[c];
@@ -384,7 +371,7 @@ private:
     const int parentOrder = this->Orders[level - 1];
     const int order = this->Orders[level];
     const SparseOperator& op = DownwardOperator(order, parentOrder);
-    ForPieces(targets.LevelEnd(level) - begin, BoxesPerPiece, this->Threads, monitor,
+    ForBlocks(targets.LevelEnd(level) - begin, BoxesPerPiece, this->Threads, monitor,
       [&](std::size_t from, std::size_t to)
       {
         Translator down(op, parentOrder, order);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Implicit/FastMultipole/KernelOctree.h"
 
+#include "Base/BoundingBox.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -55,23 +57,13 @@ RootCube RootCube::Around(const std::vector<Point3>& points)
   {
     return cube;
   }
-  Point3 high = points.front();
-  cube.Low = high;
-  for (const Point3& p : points)
-  {
-    for (int a = 0; a < 3; ++a)
-    {
-      cube.Low[a] = std::min(cube.Low[a], p[a]);
-      high[a] = std::max(high[a], p[a]);
-    }
-  }
-  const Vector3 extent = high - cube.Low;
-  const double longest = std::max({ extent[0], extent[1], extent[2] });
+  const Box3 box = Box3::Around(points);
+  const double longest = box.LongestExtent();
   if (longest > 0)
   {
     cube.Size = std::ldexp(1.0, std::ilogb(1.5 * longest) + 1);
   }
-  cube.Low = 0.5 * (cube.Low + high) - 0.5 * cube.Size * Vector3{ 1, 1, 1 };
+  cube.Low = 0.5 * (box.Low + box.High) - 0.5 * cube.Size * Vector3{ 1, 1, 1 };
   return cube;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Implicit/Solver/FitImplicitFunction.h"
 
+#include "Base/BoundingBox.h"
 #include "Base/PointGrid.h"
 #include "Base/SubMonitor.h"
 #include "Base/Text.h"
@@ -62,21 +63,6 @@ struct Constraints
   std::vector<Point3> Points;
   std::vector<double> Values;
 };
-
-double DiagonalOf(const std::vector<Point3>& points)
-{
-  Point3 low = points.front();
-  Point3 high = low;
-  for (const Point3& p : points)
-  {
-    for (int a = 0; a < 3; ++a)
-    {
-      low[a] = std::min(low[a], p[a]);
-      high[a] = std::max(high[a], p[a]);
-    }
-  }
-  return Norm(high - low);
-}
 
 /// Constraints at one place become one, at the place of the first, with the mean of their values.
 Constraints MergeDuplicates(const std::vector<Point3>& points, const std::vector<double>& values,
@@ -214,17 +200,24 @@ double GigabytesOf(FunctionOptions::SolverType solver, std::size_t constraints)
 }
 
 /**
- * Processor seconds of a fit. Least squares, by eye, through what ./run bench ism measures for the
+ * Processor seconds of a fit of n constraints. Least squares, by eye, through what ./run bench ism measures for the
  * three shapes at 1 000 to 12 000 constraints on a core of 3.7 GHz; within a fifth from 2 000 on.
  * Direct: n^3 of the factorisation, n^2 of the matrix. Iterative: n of the preconditioner, n^2 of
  * some twelve products by exact sums. Both gain 1.7 to 1.8 times by a second thread, and faster
  * cores serve both, so that they are about equal at 2 600 constraints anywhere.
  */
+constexpr double DirectSecondsN3 = 7e-12;
+constexpr double DirectSecondsN2 = 1.2e-8;
+constexpr double IterativeSecondsN2 = 8.2e-9;
+constexpr double IterativeSecondsN = 5.3e-5;
+constexpr double IterativeSeconds = 0.02;
+
 double SecondsOf(FunctionOptions::SolverType solver, std::size_t constraints)
 {
   const double n = static_cast<double>(constraints);
-  return solver == FunctionOptions::Iterative ? 0.02 + n * (5.3e-5 + n * 8.2e-9)
-                                              : n * n * (1.2e-8 + n * 7e-12);
+  return solver == FunctionOptions::Iterative
+    ? IterativeSeconds + n * (IterativeSecondsN + n * IterativeSecondsN2)
+    : n * n * (DirectSecondsN2 + n * DirectSecondsN3);
 }
 
 void CheckMemory(
@@ -489,7 +482,7 @@ ImplicitFunction FitImplicitFunction(const std::vector<Point3>& points,
     throw Error("An implicit function needs at least four constraints; there are " +
       std::to_string(points.size()) + ".");
   }
-  const double diagonal = DiagonalOf(points);
+  const double diagonal = Box3::Around(points).Diagonal();
   if (options.SupportRadius > LargestSupport * diagonal)
   {
     throw Error("SupportRadius is more than " + Text(LargestSupport) +

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Implicit/ZeroSet/ContourTracer.h"
 
+#include "Base/BoundingBox.h"
 #include "Base/SubMonitor.h"
 #include "Contours/ContourSetBuilder.h"
 #include "Implicit/ZeroSet/EdgeRoots.h"
@@ -34,24 +35,17 @@ class PlaneGrid
 public:
   PlaneGrid(const TracePlane& plane, const Bounds& box, double cell) : Plane(plane), Cell(cell)
   {
-    const double infinity = std::numeric_limits<double>::infinity();
-    Point2 low{ infinity, infinity };
-    Point2 high{ -infinity, -infinity };
+    Box2 around;
     for (int corner = 0; corner < 8; ++corner)
     {
-      const Point2 p = plane.Frame.ToPlane(
-        { box[corner & 1], box[2 + ((corner >> 1) & 1)], box[4 + ((corner >> 2) & 1)] });
-      for (int a = 0; a < 2; ++a)
-      {
-        low[a] = std::min(low[a], p[a]);
-        high[a] = std::max(high[a], p[a]);
-      }
+      around.Add(plane.Frame.ToPlane(
+        { box[corner & 1], box[2 + ((corner >> 1) & 1)], box[4 + ((corner >> 2) & 1)] }));
     }
     for (int a = 0; a < 2; ++a)
     {
       // Half a cell beyond the box, where the field is outside: every contour closes.
-      this->Origin[a] = low[a] - 0.5 * cell;
-      this->Squares[a] = static_cast<int>(std::ceil((high[a] - low[a]) / cell)) + 1;
+      this->Origin[a] = around.Low[a] - 0.5 * cell;
+      this->Squares[a] = static_cast<int>(std::ceil(around.Extent(a) / cell)) + 1;
     }
   }
 

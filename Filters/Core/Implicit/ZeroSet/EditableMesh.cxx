@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Implicit/ZeroSet/EditableMesh.h"
 
+#include "Base/Angles.h"
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -8,21 +10,6 @@
 
 namespace recon
 {
-namespace
-{
-double AngleAt(const Point3& a, const Point3& b, const Point3& c)
-{
-  const Vector3 u = b - a;
-  const Vector3 v = c - a;
-  return std::atan2(Norm(Cross(u, v)), Dot(u, v));
-}
-}
-
-double LeastAngleOf(const Point3& a, const Point3& b, const Point3& c)
-{
-  return std::min({ AngleAt(a, b, c), AngleAt(b, c, a), AngleAt(c, a, b) });
-}
-
 EditableMesh::EditableMesh(TriangleMesh& mesh, std::vector<Vector3>& normals)
   : P(mesh.Points),
     N(normals),
@@ -109,7 +96,10 @@ std::vector<std::pair<int, int>> EditableMesh::EdgesShorterThan(double limit) co
 
 double EditableMesh::AngleOf(const Triangle& t) const
 {
-  return LeastAngleOf(this->P[t[0]], this->P[t[1]], this->P[t[2]]);
+  const Vector3 ab = this->P[t[1]] - this->P[t[0]];
+  const Vector3 bc = this->P[t[2]] - this->P[t[1]];
+  const Vector3 ca = this->P[t[0]] - this->P[t[2]];
+  return std::atan2(1.0, CotangentOfSmallestAngle(ab, bc, ca, Norm(Cross(ab, bc))));
 }
 
 double EditableMesh::LongestEdge(const Triangle& t) const

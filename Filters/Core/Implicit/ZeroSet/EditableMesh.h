@@ -74,9 +74,6 @@ private:
   void Attach(int t);
   void Detach(int t);
 };
-
-/// The smallest angle of a triangle, radians.
-double LeastAngleOf(const Point3& a, const Point3& b, const Point3& c);
 }
 
 #endif

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Implicit/ZeroSet/Polygonizer.h"
 
+#include "Base/Median.h"
 #include "Base/Parallel.h"
 #include "Base/PointGrid.h"
 #include "Base/SubMonitor.h"
@@ -24,6 +25,11 @@ namespace
 constexpr double CellsPerFace = 1.5;
 /// The part of the bounds that is proposed where a cell was larger than all of them.
 constexpr double LeastCellsAcross = 0.1;
+/// Cells that are chosen are so small, and no smaller, that the seeds' diagonal has so many.
+constexpr double FewestCellsAcross = 80;
+constexpr double MostCellsAcross = 160;
+/// The bounds that are chosen are the seeds' box and this part of its diagonal on all sides.
+constexpr double RoomAround = 0.1;
 /// Cells of previews, as parts of the diagonal of the seeds' bounding box, and how exactly coarse
 /// ones cut the surface, in cells.
 constexpr double MediumCells = 1.0 / 100;
@@ -330,7 +336,7 @@ double ChooseCellSize(const std::vector<Point3>& seeds, double asked)
   {
     throw Error("All seeds are one point, which gives no cell size: set CellSize.");
   }
-  const double coarsest = diagonal / 80;
+  const double coarsest = diagonal / FewestCellsAcross;
   const PointGrid grid(seeds, coarsest);
   std::vector<double> spacings;
   for (std::size_t i = 0; i < seeds.size(); ++i)
@@ -346,9 +352,7 @@ double ChooseCellSize(const std::vector<Point3>& seeds, double asked)
       });
     spacings.push_back(std::sqrt(least));
   }
-  const auto middle = spacings.begin() + static_cast<std::ptrdiff_t>(spacings.size() / 2);
-  std::nth_element(spacings.begin(), middle, spacings.end());
-  return std::min(coarsest, std::max(diagonal / 160, *middle));
+  return std::min(coarsest, std::max(diagonal / MostCellsAcross, Median(std::move(spacings))));
 }
 
 double ChooseCellSize(const std::vector<Point3>& seeds, const PolygonizerOptions& options)
@@ -370,7 +374,7 @@ Bounds ChooseBounds(const std::vector<Point3>& seeds, const std::optional<Bounds
     return *asked;
   }
   Bounds box = BoundsOf(seeds);
-  const double margin = 0.1 * DiagonalOf(box);
+  const double margin = RoomAround * DiagonalOf(box);
   for (int a = 0; a < 3; ++a)
   {
     box[2 * a] -= margin;

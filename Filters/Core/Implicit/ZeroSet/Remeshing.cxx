@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Implicit/ZeroSet/Remeshing.h"
 
+#include "Base/Angles.h"
 #include "Base/PointGrid.h"
 #include "Implicit/ZeroSet/SliverRemoval.h"
 
@@ -11,8 +12,6 @@ namespace recon
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
-constexpr double RadiansPerDegree = Pi / 180;
 /// Edges shorter than this part of EdgeLength are collapsed, none longer than the other is made.
 constexpr double ShortEdge = 0.6;
 constexpr double LongEdge = 1.7;
@@ -21,6 +20,19 @@ constexpr double LongEdge = 1.7;
 constexpr double LongerAgain = 1.01;
 /// Cosine that a triangle keeps with itself where the surface is not asked.
 constexpr double LeastOwnAgreement = 0.5;
+/// An edge is flipped where the least angle grows by more than this factor: the same pair of
+/// triangles would else be flipped for and back by rounding; where that angle is nothing, by so many
+/// radians.
+constexpr double WorthFlipping = 1.0001;
+constexpr double RoundingOfAngles = 1e-9;
+/// Angles (radians) from which a triangle is good enough: a collapse, or a vertex that is spread,
+/// may leave a smaller one than there was down to this.
+constexpr double GoodForCollapse = 0.25;
+constexpr double GoodForSpread = 0.4;
+/// A vertex is snapped to an anchor within this part of EdgeLength, where the least angle around it
+/// keeps the other part.
+constexpr double AnchorReach = 0.6;
+constexpr double AnchorKeeps = 0.99;
 /// A snapped vertex may not make an angle smaller than this (degrees).
 constexpr double LeastAnchoredAngle = 8;
 
@@ -79,7 +91,7 @@ bool Remesher::Flip(int u, int v, const Agreement& agreement)
   const double before = std::min(
     this->Edited.AngleOf(this->Edited.T[both[0]]), this->Edited.AngleOf(this->Edited.T[both[1]]));
   const double after = std::min(this->Edited.AngleOf(first), this->Edited.AngleOf(second));
-  if (!(after > before * 1.0001 + 1e-9) || !this->Agrees(first, agreement) ||
+  if (!(after > before * WorthFlipping + RoundingOfAngles) || !this->Agrees(first, agreement) ||
     !this->Agrees(second, agreement) ||
     !(Dot(this->Edited.AreaNormal(first), this->Edited.AreaNormal(second)) > 0) ||
     !this->MayReplace(both, { first, second }, agreement))
@@ -228,7 +240,7 @@ double Remesher::QualityOfCollapse(int u, int v, const Agreement& agreement) con
   }
   // Not worse than what is there, unless that is good anyway.
   const double before = this->QualityAround(u, WithItself);
-  return least > std::min(before, 0.25) ? least : -1;
+  return least > std::min(before, GoodForCollapse) ? least : -1;
 }
 
 void Remesher::CollapseShortEdges()
@@ -318,7 +330,7 @@ void Remesher::Spread(const Projector& project)
     const double after = this->QualityAround(v, Usual);
     this->Edited.P[v] = oldPoint;
     this->Edited.N[v] = oldNormal;
-    if (after > std::min(before, 0.4))
+    if (after > std::min(before, GoodForSpread))
     {
       this->Move(v, points[i], normals[i]);
     }
@@ -331,7 +343,7 @@ std::size_t Remesher::Anchor(const std::vector<Point3>& anchors)
   std::vector<std::tuple<double, int, int>> pairs;
   for (int a = 0; a < static_cast<int>(anchors.size()); ++a)
   {
-    grid.ForNear(anchors[a], 0.6 * this->EdgeLength,
+    grid.ForNear(anchors[a], AnchorReach * this->EdgeLength,
       [&](int v, double r2)
       {
         if (!this->Edited.Around[v].empty() && !this->Edited.Border[v])
@@ -354,7 +366,7 @@ std::size_t Remesher::Anchor(const std::vector<Point3>& anchors)
     this->Edited.P[v] = anchors[a];
     const double after = this->QualityAround(v, Usual);
     this->Edited.P[v] = old;
-    if (after > std::min(before * 0.99, LeastAnchoredAngle * Pi / 180) &&
+    if (after > std::min(before * AnchorKeeps, LeastAnchoredAngle * RadiansPerDegree) &&
       this->Move(v, anchors[a], this->Edited.N[v]))
     {
       placed[a] = 1;

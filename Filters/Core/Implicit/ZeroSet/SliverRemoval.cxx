@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Implicit/ZeroSet/SliverRemoval.h"
 
+#include "Base/Angles.h"
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -10,7 +12,6 @@ namespace recon
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
 /// A needle that can neither be flipped nor collapsed, as its short edge is the waist of a neck,
 /// has an end of that edge moved along the surface: by so many edge lengths, in so many directions.
 constexpr double Shifts[] = { 0.02, 0.04, 0.08, 0.16 };
@@ -85,7 +86,7 @@ std::size_t ShiftNeedles(Remesher& remesher, const Projector& project)
   ShiftedVertices shifted;
   for (const EditableMesh::Triangle& t : mesh.T)
   {
-    if (t[0] < 0 || mesh.AngleOf(t) >= NeedleAngle * Pi / 180)
+    if (t[0] < 0 || mesh.AngleOf(t) >= NeedleAngle * RadiansPerDegree)
     {
       continue;
     }
@@ -108,7 +109,7 @@ std::size_t ShiftNeedles(Remesher& remesher, const Projector& project)
   {
     const int v = shifted.Vertices[from];
     const double before = remesher.QualityAround(v, WithItself);
-    if (before >= NeedleAngle * Pi / 180)
+    if (before >= NeedleAngle * RadiansPerDegree)
     {
       continue;
     }
@@ -141,7 +142,7 @@ void RemoveSlivers(Remesher& remesher, const Projector& project)
   for (int pass = 0; pass < MaximumSliverPasses; ++pass)
   {
     const Agreement& agreement = pass < MaximumSliverPasses / 2 ? Usual : LastResort;
-    if (MendSlivers(remesher, SliverAngle * Pi / 180, agreement) == 0 && pass > 0)
+    if (MendSlivers(remesher, SliverAngle * RadiansPerDegree, agreement) == 0 && pass > 0)
     {
       break;
     }
@@ -153,7 +154,7 @@ void RemoveSlivers(Remesher& remesher, const Projector& project)
   }
   for (int pass = 0; pass < MaximumSliverPasses; ++pass)
   {
-    if (MendSlivers(remesher, NeedleAngle * Pi / 180, WithItself) == 0)
+    if (MendSlivers(remesher, NeedleAngle * RadiansPerDegree, WithItself) == 0)
     {
       break;
     }
@@ -164,7 +165,7 @@ void RemoveSlivers(Remesher& remesher, const Projector& project)
     {
       break;
     }
-    MendSlivers(remesher, NeedleAngle * Pi / 180, WithItself);
+    MendSlivers(remesher, NeedleAngle * RadiansPerDegree, WithItself);
   }
 }
 }
