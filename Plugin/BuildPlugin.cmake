@@ -63,5 +63,10 @@ paraview_plugin_build(
   INSTALL_HEADERS OFF
   DISABLE_XML_DOCUMENTATION ON)
 
-# What a user needs, without the tests.
+# What a user needs, without the tests: all that is installed.
 add_custom_target(plugin DEPENDS ContourReconstruction)
+if (CONTOUR_WRAP_PYTHON)
+  foreach (module IN LISTS contour_modules)
+    add_dependencies(plugin ${module}Python)
+  endforeach ()
+endif ()

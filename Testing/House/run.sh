@@ -17,6 +17,21 @@ log_lines="$(wc -l <"$CONTOUR_BUILD_DIR/.ninja_log")"
 [[ "$(stat -c %Y "$plugin")" == "$before" ]] || fail "a second build links the plugin again"
 [[ "$(wc -l <"$CONTOUR_BUILD_DIR/.ninja_log")" == "$log_lines" ]] || fail "a second build compiles something"
 
+# `cmake --install` after no more than `run build` finds all that it copies.
+installed="$(find "$CONTOUR_BUILD_DIR" -name cmake_install.cmake -exec grep -h "file(INSTALL" {} + |
+  grep -o "\"$CONTOUR_BUILD_DIR/[^\"]*\"" | tr -d '"' | sed "s|^$CONTOUR_BUILD_DIR/||" | sort -u)"
+made="$(ninja -C "$CONTOUR_BUILD_DIR" -t targets all | sed 's/: [^:]*$//' | sort -u)"
+# The inputs of its inputs, and these themselves.
+by_plugin="$(
+  {
+    ninja -C "$CONTOUR_BUILD_DIR" -t inputs plugin
+    ninja -C "$CONTOUR_BUILD_DIR" -t query plugin | sed 's/^ *//'
+  } | sort -u
+)"
+grep -q '\.so$' <<<"$installed" || fail "no library is found among what is installed: $installed"
+missing="$(comm -23 <(comm -12 <(echo "$installed") <(echo "$made")) <(echo "$by_plugin"))"
+[[ -z "$missing" ]] || fail "run build does not make what is installed: $missing"
+
 words="$("$run" nonsense 2>&1 >/dev/null)" && fail "an unknown command succeeds"
 grep -q "no command nonsense" <<<"$words" || fail "an unknown command is not named: $words"
 "$run" help | grep -q "reconstruct IN OUT" || fail "help does not show reconstruct"
