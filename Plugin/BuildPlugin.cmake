@@ -9,6 +9,7 @@ foreach (folder IN ITEMS
     Filters/ContourFilters
     Filters/PolyhedralFilters
     Filters/ImplicitFilters
+    Plugin/Window
     Readers/BRep
     Readers/CurveNetwork
     Readers/DICOM
@@ -47,9 +48,12 @@ vtk_module_build(
 
 if (CONTOUR_WRAP_PYTHON)
   find_package(Python3 REQUIRED COMPONENTS Development.Module)
+  # What the window does by itself is nothing for scripts.
+  set(contour_wrapped_modules ${contour_modules})
+  list(REMOVE_ITEM contour_wrapped_modules ContourWindow)
   set(contour_python_destination "${contour_module_destination}/python")
   vtk_module_wrap_python(
-    MODULES ${contour_modules}
+    MODULES ${contour_wrapped_modules}
     TARGET ContourPython
     PYTHON_PACKAGE contourreconstruction
     MODULE_DESTINATION "${contour_python_destination}"
@@ -60,8 +64,7 @@ paraview_plugin_build(
   PLUGINS ${plugins}
   PLUGINS_FILE_NAME contour.plugins.xml
   LIBRARY_SUBDIRECTORY "${contour_plugin_subdirectory}"
-  INSTALL_HEADERS OFF
-  DISABLE_XML_DOCUMENTATION ON)
+  INSTALL_HEADERS OFF)
 
 # What a user needs, without the tests: all that is installed.
 add_custom_target(plugin DEPENDS ContourReconstruction)

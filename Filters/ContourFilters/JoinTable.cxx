@@ -170,6 +170,8 @@ void WriteJoins(const ContourMapping& mapping, vtkTable* table)
   add("Rule", [](const ContourJoin& join) { return RuleOf(join); });
   add("Joined", [](const ContourJoin& join) { return join.Joined ? 1 : 0; });
   add("Words", [](const ContourJoin& join) { return join.Words; });
+  // A spreadsheet shows columns by name: the sentence under a name that comes first.
+  add("Decision", [](const ContourJoin& join) { return join.Words; });
 }
 
 void WriteMapping(const ContourMapping& mapping, vtkDataObject* output)

@@ -33,7 +33,7 @@ CONTOURFILTERS_EXPORT void ReadJoinOverrides(vtkTable* table, ContourMappingOpti
  * A row a decision: `Slab`, `LowerContour`, `UpperContour` (the walls; -1: the empty region),
  * `LowerContours`, `UpperContours` (text: the wall, then the contours directly inside it),
  * `OverlapArea`, `LowerRatio`, `UpperRatio`, `Solid` (1 solid, 0 hole), `Rule` (text), `Joined`,
- * `Words`.
+ * `Words`, and the same as `Decision`.
  */
 CONTOURFILTERS_EXPORT void WriteJoins(const ContourMapping& mapping, vtkTable* table);
 

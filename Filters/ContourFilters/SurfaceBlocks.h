@@ -6,6 +6,8 @@
 #ifndef SurfaceBlocks_h
 #define SurfaceBlocks_h
 
+#include "ContourFiltersModule.h" // for export macro
+
 #include <string>
 #include <vector>
 
@@ -21,7 +23,7 @@ struct NamedPolyData
 };
 
 /// All poly data, in order; other kinds of data and empty blocks are passed over.
-std::vector<NamedPolyData> ListPolyData(vtkDataObject* object);
+CONTOURFILTERS_EXPORT std::vector<NamedPolyData> ListPolyData(vtkDataObject* object);
 
 /**
  * The contours of each surface: the only ones there are, those of the same name, or else those at
@@ -30,7 +32,7 @@ std::vector<NamedPolyData> ListPolyData(vtkDataObject* object);
  *
  * @throws Error where there are contours, and not one surface finds its own.
  */
-std::vector<vtkPolyData*> MatchContours(
+CONTOURFILTERS_EXPORT std::vector<vtkPolyData*> MatchContours(
   const std::vector<NamedPolyData>& surfaces, vtkDataObject* contours);
 }
 

@@ -5,6 +5,7 @@
 #include "RunCore.h"
 #include "vtkContourMonitor.h"
 
+#include "vtkCellData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -30,6 +31,7 @@ int vtkContourHierarchy::RequestData(
       const recon::ContourSet set = this->ReadContours(input, this->ParallelPlanesOnly, monitor);
       recon::ToPolyData(set, output);
       recon::PassCellData(set, input, output);
+      output->GetCellData()->SetActiveScalars("ContourId"); // which a view colours by
       recon::FinishOutput(input, set.Report, output);
     });
 }

@@ -4,6 +4,7 @@
 #include "ContourConversion.h"
 #include "FieldArrays.h"
 #include "Mesh/CertificateText.h"
+#include "Mesh/MeshDefects.h"
 #include "RunCore.h"
 #include "SurfaceBlocks.h"
 #include "vtkContourMonitor.h"
@@ -163,6 +164,12 @@ void WriteOn(const Block& block)
   const recon::SurfaceCertificate& certificate = block.Certificate;
   recon::AddArray(block.Surface->GetCellData(), "Defect", certificate.DefectOfTriangle);
   recon::AddArray(block.Surface->GetCellData(), "ComponentId", certificate.ComponentOfTriangle);
+  const std::vector<int>& defects = certificate.DefectOfTriangle;
+  if (std::any_of(defects.begin(), defects.end(),
+        [](int defect) { return (defect & recon::DefectAnyError) != 0; }))
+  {
+    block.Surface->GetCellData()->SetActiveScalars("Defect"); // which a view colours by
+  }
   AddFigures(block.Surface, recon::ListFigures(certificate.Total));
   if (!certificate.Sections.empty())
   {
@@ -207,10 +214,9 @@ public:
   {
   }
 
-  void Add(const Block& block, int number)
+  void Add(const Block& block, const std::string& name)
   {
     const recon::SurfaceCertificate none;
-    const std::string name = block.Name.empty() ? std::to_string(number) : block.Name;
     for (std::size_t c = 0; c < block.Certificate.Components.size(); ++c)
     {
       this->AddRow(name, std::to_string(c), block.Certificate.Components[c], none);
@@ -281,6 +287,68 @@ private:
   bool WithContours;
 };
 
+/// Regions of a structure set are in millimetres.
+bool IsInMillimetres(const Block& block)
+{
+  return block.Surface->GetFieldData()->HasArray("ROINumber") != 0;
+}
+
+bool AreInMillimetres(const std::vector<Block>& blocks)
+{
+  return !blocks.empty() && std::all_of(blocks.begin(), blocks.end(), IsInMillimetres);
+}
+
+/// A name that no other column has.
+std::string ColumnName(const std::string& wanted, vtkTable* table)
+{
+  std::string name = wanted;
+  for (int more = 2; table->GetColumnByName(name.c_str()); ++more)
+  {
+    name = wanted + " (" + std::to_string(more) + ")";
+  }
+  return name;
+}
+
+std::string NameOf(const Block& block, std::size_t number)
+{
+  return block.Name.empty() ? std::to_string(number) : block.Name;
+}
+
+/// The table that people read: a row a figure, a column a surface.
+void FillReadingTable(
+  const std::vector<Block>& blocks, bool withBlocks, bool withContours, vtkTable* table)
+{
+  for (std::size_t b = 0; b < blocks.size(); ++b)
+  {
+    std::vector<std::string> figures;
+    std::vector<std::string> values;
+    for (auto& line :
+      recon::ListLines(blocks[b].Certificate, AreInMillimetres(blocks), withContours))
+    {
+      figures.push_back(std::move(line.Figure));
+      values.push_back(std::move(line.Value));
+    }
+    if (b == 0)
+    {
+      table->AddColumn(recon::MakeArray("(figure)", figures));
+    }
+    const std::string name = withBlocks ? NameOf(blocks[b], b) : "Surface";
+    table->AddColumn(recon::MakeArray(ColumnName(name, table).c_str(), values));
+  }
+}
+
+std::string VerdictOf(const std::vector<Block>& blocks, bool withBlocks)
+{
+  std::string text;
+  for (std::size_t b = 0; b < blocks.size(); ++b)
+  {
+    text += text.empty() ? "" : "\n";
+    text += withBlocks ? NameOf(blocks[b], b) + ": " : "";
+    text += recon::ToVerdict(blocks[b].Certificate, AreInMillimetres(blocks));
+  }
+  return text;
+}
+
 /// Put the certified surfaces where their originals are, in the order of ListPolyData.
 void FillOutput(vtkDataObject* input, const std::vector<Block>& blocks, vtkDataObject* output)
 {
@@ -308,7 +376,12 @@ void FillOutput(vtkDataObject* input, const std::vector<Block>& blocks, vtkDataO
 vtkSurfaceCertificate::vtkSurfaceCertificate()
 {
   this->SetNumberOfInputPorts(2);
-  this->SetNumberOfOutputPorts(2);
+  this->SetNumberOfOutputPorts(3);
+}
+
+const char* vtkSurfaceCertificate::GetVerdict()
+{
+  return this->Verdict.c_str();
 }
 
 void vtkSurfaceCertificate::PrintSelf(ostream& os, vtkIndent indent)
@@ -357,11 +430,14 @@ int vtkSurfaceCertificate::RequestDataObject(
     const auto made = vtk::TakeSmartPointer(input->NewInstance());
     surfaceInfo->Set(vtkDataObject::DATA_OBJECT(), made);
   }
-  vtkInformation* tableInfo = outputVector->GetInformationObject(1);
-  if (!vtkTable::GetData(tableInfo))
+  for (const int port : { 1, 2 })
   {
-    vtkNew<vtkTable> table;
-    tableInfo->Set(vtkDataObject::DATA_OBJECT(), table);
+    vtkInformation* tableInfo = outputVector->GetInformationObject(port);
+    if (!vtkTable::GetData(tableInfo))
+    {
+      vtkNew<vtkTable> table;
+      tableInfo->Set(vtkDataObject::DATA_OBJECT(), table);
+    }
   }
   return 1;
 }
@@ -373,25 +449,31 @@ int vtkSurfaceCertificate::RequestData(
   vtkDataObject* contours = vtkDataObject::GetData(inputVector[1]);
   vtkDataObject* output = vtkDataObject::GetData(outputVector, 0);
   vtkTable* table = vtkTable::GetData(outputVector, 1);
-  return recon::RunOnAnything(this, { output, table },
+  vtkTable* components = vtkTable::GetData(outputVector, 2);
+  this->Verdict.clear();
+  return recon::RunOnAnything(this, { output, table, components },
     [&]
     {
       table->Initialize();
+      components->Initialize();
       const auto surfaces = recon::ListPolyData(input);
       const auto matched = recon::MatchContours(surfaces, contours);
       recon::CertificateOptions options;
       options.Weld = this->Weld;
       options.Threads = this->Threads;
-      TableWriter writer(!vtkPolyData::SafeDownCast(input), contours != nullptr);
+      const bool withBlocks = !vtkPolyData::SafeDownCast(input);
+      TableWriter writer(withBlocks, contours != nullptr);
       std::vector<Block> blocks;
       for (std::size_t s = 0; s < surfaces.size(); ++s)
       {
         const double count = static_cast<double>(surfaces.size());
         vtkContourMonitor monitor(this, s / count, (s + 1) / count);
         blocks.push_back(CertifyBlock(surfaces[s], matched[s], options, monitor));
-        writer.Add(blocks.back(), static_cast<int>(s));
+        writer.Add(blocks.back(), NameOf(blocks.back(), s));
       }
       FillOutput(input, blocks, output);
-      writer.WriteTo(table);
+      FillReadingTable(blocks, withBlocks, contours != nullptr, table);
+      writer.WriteTo(components);
+      this->Verdict = VerdictOf(blocks, withBlocks);
     });
 }

@@ -38,9 +38,14 @@
  * - field data `Certificate` (strings, a few lines for people) and `CertificateJSON` (one string,
  *   everything).
  *
- * Output port 1: vtkTable, a row a component and a row for the whole: columns `Block` (name, or
- * number where it has none; only of a composite), `Component` ("0", "1", ..., "Total"), and the
- * figures above.
+ * Output port 1: vtkTable to be read, a row a figure in the order of recon::ListLines, the verdict
+ * first; columns `(figure)` (which a spreadsheet puts first), and text a surface: `Surface`, or the
+ * name (number where it has none) of each block. Volumes are in cm3 where all blocks are regions of a
+ * structure set.
+ *
+ * Output port 2: vtkTable to be computed with, a row a component and a row for the whole: columns
+ * `Block` (name, or number where it has none; only of a composite), `Component` ("0", "1", ...,
+ * "Total"), and the figures above.
  *
  * An empty surface gives a table that says so. Errors (a sentence through vtkErrorMacro, and no
  * output): a coordinate that is not finite, contours of which none is usable, blocks of contours
@@ -51,6 +56,8 @@
 
 #include "ContourFiltersModule.h" // for export macro
 #include "vtkDataObjectAlgorithm.h"
+
+#include <string> // for std::string
 
 class CONTOURFILTERS_EXPORT vtkSurfaceCertificate : public vtkDataObjectAlgorithm
 {
@@ -71,6 +78,9 @@ public:
   vtkGetMacro(Weld, bool);
   vtkBooleanMacro(Weld, bool);
   ///@}
+
+  /// A line a surface: its name, verdict and volume. Empty before the first execution.
+  const char* GetVerdict();
 
   ///@{
   /// Number of threads; 0 (the default) takes all of the machine. The result does not depend on it.
@@ -95,6 +105,7 @@ private:
 
   bool Weld = false;
   int Threads = 0;
+  std::string Verdict;
 };
 
 #endif

@@ -2,6 +2,8 @@
 #include "vtkImplicitConstraints.h"
 
 #include "ContourConversion.h"
+#include "Contours/Specks.h"
+#include "FieldArrays.h"
 #include "Implicit/Constraints/ContourFit.h"
 #include "ImplicitData.h"
 #include "ImplicitOptions.h"
@@ -49,6 +51,7 @@ int vtkImplicitConstraints::RequestData(
       const recon::ConstraintSet constraints =
         ConstraintsOf(contours, recon::ConstraintOptionsOf(this), fitting, placing);
       recon::ToPolyData(constraints, output);
+      recon::AddValue(output->GetFieldData(), "SmallestContourArea", recon::SmallestArea(contours));
       std::vector<std::string> report = contours.Report;
       report.insert(report.end(), constraints.Report.begin(), constraints.Report.end());
       recon::FinishOutput(input, report, output);

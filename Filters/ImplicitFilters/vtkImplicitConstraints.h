@@ -9,8 +9,8 @@
  *
  * Output: points (with vertex cells) in the coordinates of the input, exactly three a contour
  * vertex: point arrays `Value` (0 on the contour, positive inside the solid, negative outside),
- * `Kind` (0, 1, -1), `ContourId`; field data `MarginDistance` and `Report` (a line for everything
- * repaired, merged or left out).
+ * `Kind` (0, 1, -1), `ContourId`; field data `MarginDistance`, `SmallestContourArea` (of any contour,
+ * in square units) and `Report` (a line for everything repaired, merged or left out).
  *
  * Errors (a sentence through vtkErrorMacro, and no output): no usable contour; all contours on one
  * plane; options of no sense.

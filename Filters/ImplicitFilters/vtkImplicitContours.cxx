@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkImplicitContours.h"
 
+#include "Base/Median.h"
 #include "ContourConversion.h"
+#include "Contours/Specks.h"
 #include "Implicit/ZeroSet/ContourTracer.h"
 #include "ImplicitData.h"
 #include "ImplicitOptions.h"
 #include "RunCore.h"
 #include "vtkContourMonitor.h"
 
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
 #include "vtkDataObject.h"
+#include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -16,7 +21,9 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <string>
 
 vtkStandardNewMacro(vtkImplicitContours);
 
@@ -25,14 +32,74 @@ namespace
 /// 0 as Spacing asks for this many intervals.
 constexpr double AutomaticIntervals = 20;
 
-recon::TracerOptions OptionsOf(vtkImplicitContours* filter)
+/// So near to the outermost contour points, as a part of the planes' distance, a plane that tells no
+/// tolerance of its own is theirs.
+constexpr double BesideContours = 0.05;
+
+double FirstOf(vtkFieldData* data, const char* name, double otherwise)
+{
+  vtkDataArray* array = data ? data->GetArray(name) : nullptr;
+  return array && array->GetNumberOfTuples() > 0 ? array->GetComponent(0, 0) : otherwise;
+}
+
+double SmallestAreaOf(vtkImplicitContours* filter, vtkDataObject* model, vtkDataObject* planes)
+{
+  if (filter->GetSmallestArea() != 0)
+  {
+    return std::max(0.0, filter->GetSmallestArea());
+  }
+  auto* slices = vtkPolyData::SafeDownCast(planes);
+  const double pixel = slices ? FirstOf(slices->GetCellData(), "PixelArea", 0) : 0;
+  const double drawn = FirstOf(model->GetFieldData(), "SmallestContourArea", 0);
+  return recon::SpeckArea(pixel, drawn);
+}
+
+recon::TracerOptions OptionsOf(
+  vtkImplicitContours* filter, vtkDataObject* model, vtkDataObject* planes)
 {
   recon::TracerOptions options;
   options.CellSize = filter->GetCellSize();
   options.Box = recon::BoxOf(filter);
   options.MaximumCells = filter->GetMaximumCells();
   options.Threads = filter->GetThreads();
+  options.SmallestArea = SmallestAreaOf(filter, model, planes);
   return options;
+}
+
+/// How far beyond the outermost contour points a plane of the second input may lie.
+double ToleranceOf(vtkDataObject* second, const std::vector<recon::TracePlane>& planes)
+{
+  std::vector<double> gaps;
+  for (std::size_t p = 1; p < planes.size(); ++p)
+  {
+    gaps.push_back(std::abs(planes[p].Offset - planes[p - 1].Offset));
+  }
+  return FirstOf(
+    second->GetFieldData(), "ContourTolerance", BesideContours * recon::Median(std::move(gaps)));
+}
+
+/// Without the planes that lie beyond all contours, which Report tells.
+std::vector<recon::TracePlane> OnlyWithin(const std::vector<recon::TracePlane>& planes,
+  vtkDataObject* second, const std::vector<recon::Point3>& drawn, std::vector<std::string>& report)
+{
+  std::vector<recon::TracePlane> within =
+    recon::PlanesWithin(planes, drawn, ToleranceOf(second, planes));
+  if (within.empty() && !planes.empty())
+  {
+    throw recon::Error("No plane of " + std::to_string(planes.size()) +
+      " lies between the outermost contour points: are they of the same patient, in the same frame "
+      "of reference? Extrapolate traces beyond the contours as well.");
+  }
+  const std::size_t beyond = planes.size() - within.size();
+  if (beyond > 0)
+  {
+    report.push_back(
+      "Planes beyond the outermost contour points, where nothing was drawn, were left "
+      "out: " +
+      std::to_string(beyond) + " of " + std::to_string(planes.size()) +
+      " (Extrapolate traces them, too).");
+  }
+  return within;
 }
 
 /// The slices of an image, through its pixels' centres, whatever way it is turned.
@@ -135,11 +202,19 @@ int vtkImplicitContours::RequestData(
     {
       const recon::ImplicitFunction function = recon::ToFunction(input);
       const std::vector<recon::Point3> seeds = recon::SeedsOf(function);
+      vtkDataObject* second = vtkDataObject::GetData(inputVector[1], 0);
+      std::vector<std::string> report = recon::GetReport(input);
+      std::vector<recon::TracePlane> planes = PlanesOf(second, this, seeds);
+      if (second && !this->Extrapolate)
+      {
+        planes = OnlyWithin(planes, second, seeds, report);
+      }
       vtkContourMonitor tracing(this);
-      const recon::ContourSet contours = recon::TraceContours(function, seeds,
-        PlanesOf(vtkDataObject::GetData(inputVector[1], 0), this, seeds), OptionsOf(this), tracing);
+      const recon::ContourSet contours =
+        recon::TraceContours(function, seeds, planes, OptionsOf(this, input, second), tracing);
       recon::ToPolyData(contours, output);
-      recon::FinishOutput(input, recon::JoinReports(input, contours.Report), output);
+      report.insert(report.end(), contours.Report.begin(), contours.Report.end());
+      recon::FinishOutput(input, report, output);
     });
 }
 
@@ -147,6 +222,8 @@ int vtkImplicitContours::RequestData(
 void vtkImplicitContours::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "Extrapolate: " << this->Extrapolate << "\n";
+  os << indent << "SmallestArea: " << this->SmallestArea << "\n";
   os << indent << "PlaneNormal:";
   for (const double x : this->PlaneNormal)
   {

@@ -11,7 +11,8 @@
  * `Depth`, `Parent`, `SignedArea` and field data `LevelNormal`, `LevelOffset`, `Report`: oriented
  * and nested, as Polyhedral Surface reads them.
  *
- * Errors: no model; no plane; no plane meets the surface; a CellSize that would take too many
+ * Errors: no model; no plane; no plane lies between the outermost contour points, or meets the
+ * surface; a CellSize that would take too many
  * cells.
  */
 #ifndef vtkImplicitContours_h
@@ -26,6 +27,30 @@ public:
   static vtkImplicitContours* New();
   vtkTypeMacro(vtkImplicitContours, vtkContourAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Also trace on planes of the second input that lie beyond the outermost contour points of the
+   * model, where the surface closes. Off by default, as nobody drew anything there: such planes are
+   * left out, with a line in `Report`, but for those that the outermost points lie beside by less
+   * than the planes' `ContourTolerance` (field data of vtkDICOMSlicePlanes), or by a twentieth of
+   * the planes' distance where they do not tell one. A Range is followed in any case.
+   */
+  vtkSetMacro(Extrapolate, bool);
+  vtkGetMacro(Extrapolate, bool);
+  vtkBooleanMacro(Extrapolate, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Contours of a smaller area are left out, with a line in `Report`; in square units of the input.
+   * 0, the default: those that are smaller than a pixel of the images (cell array `PixelArea` of the
+   * planes) and than half of any contour that was drawn; none where planes tell no pixels. Negative:
+   * none.
+   */
+  vtkSetMacro(SmallestArea, double);
+  vtkGetMacro(SmallestArea, double);
+  ///@}
 
   ///@{
   /**
@@ -116,6 +141,8 @@ private:
   vtkImplicitContours(const vtkImplicitContours&) = delete;
   void operator=(const vtkImplicitContours&) = delete;
 
+  bool Extrapolate = false;
+  double SmallestArea = 0.0;
   double PlaneNormal[3] = { 0.0, 0.0, 1.0 };
   bool UseRange = false;
   double Range[2] = { 0.0, 1.0 };

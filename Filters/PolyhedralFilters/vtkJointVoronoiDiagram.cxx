@@ -99,6 +99,7 @@ void FillTetrahedra(
   output->SetCells(VTK_TETRA, cells);
   recon::AddArray(output->GetCellData(), "Slab", number);
   AddNodeArrays(slabs, output->GetCellData());
+  output->GetCellData()->SetActiveScalars("Kept"); // which a view colours by
 }
 
 /// Planar corners of a tetrahedron.

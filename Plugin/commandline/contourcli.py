@@ -73,58 +73,6 @@ def reconstruct(contours, method="psm", settings=(), bar=None):
     return Result(contours, surface, stages, certificate, report)
 
 
-def slices_within(slices, contours):
-    """Those of the rectangles whose planes lie between the outermost points of the contours, as poly data.
-
-    A contour belongs to a slice that it lies beside, so a slice may lie beyond the outermost ones by as much.
-    """
-    from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkPolygon
-    tolerance = values(slices, "ContourTolerance")[0]
-    within = vtkPolyData()
-    within.SetPoints(slices.GetPoints())
-    within.Allocate()
-    normal, corner = [0.0] * 3, [0.0] * 3
-    points = [contours.GetPoint(p) for p in range(contours.GetNumberOfPoints())]
-    for i in range(slices.GetNumberOfCells()):
-        rectangle = slices.GetCell(i)
-        vtkPolygon.ComputeNormal(rectangle.GetPoints(), normal)
-        rectangle.GetPoints().GetPoint(0, corner)
-        heights = [sum(n * (x - c) for n, x, c in zip(normal, point, corner)) for point in points]
-        if min(heights) < tolerance and max(heights) > -tolerance:
-            within.InsertNextCell(slices.GetCellType(i), rectangle.GetPointIds())
-    return within
-
-
-def areas(contours):
-    """What each cell of poly data encloses in its plane."""
-    result = []
-    for i in range(contours.GetNumberOfCells()):
-        points = contours.GetCell(i).GetPoints()
-        corners = [points.GetPoint(p) for p in range(points.GetNumberOfPoints())]
-        total = [0.0] * 3
-        for p, q in zip(corners, corners[1:] + corners[:1]):
-            p, q = [[a - b for a, b in zip(point, corners[0])] for point in (p, q)]
-            total = [total[0] + p[1] * q[2] - p[2] * q[1], total[1] + p[2] * q[0] - p[0] * q[2],
-                     total[2] + p[0] * q[1] - p[1] * q[0]]
-        result.append(0.5 * math.sqrt(sum(x * x for x in total)))
-    return result
-
-
-def without_specks(traced, drawn, pixel):
-    """Traced contours but those smaller than a pixel and than half of any that somebody drew; (poly data, left out)."""
-    smallest = min([pixel] + [0.5 * area for area in areas(drawn) if area > 0])
-    specks = [i for i, area in enumerate(areas(traced)) if area < smallest]
-    if not specks:
-        return traced, 0
-    kept = traced.NewInstance()
-    kept.DeepCopy(traced)
-    kept.BuildCells()
-    for i in specks:
-        kept.DeleteCell(i)
-    kept.RemoveDeletedCells()
-    return kept, len(specks)
-
-
 class StructureSetWriter:
     """Traces contours on the slices of a reference, and writes them, a region of interest a block."""
 
@@ -148,20 +96,11 @@ class StructureSetWriter:
             self.slices[frame] = planes.GetClientSideObject().GetOutputDataObject(0)
         return self.slices[frame]
 
-    def _pixel_in(self, block):
-        """The area of the images' pixels, mm2; 0 where the reference does not tell it."""
-        known = self.slices.get("".join(strings(block.data, "FrameOfReferenceUID")))
-        return known.GetCellData().GetArray("PixelArea").GetRange()[0] if known is not None else 0.0
-
     def _planes(self, block):
         if not self.on_slices:
             return {}
         known = self._slices_in("".join(strings(block.data, "FrameOfReferenceUID")))
-        slices = known if self.extrapolate else slices_within(known, block.data)
-        if slices.GetNumberOfCells() == 0:
-            raise CommandError(f"none of the {known.GetNumberOfCells()} slices that the reference "
-                               "tells meets its contours: are they of the same patient?")
-        return {"Planes": as_source(slices)}
+        return {"Planes": as_source(known), "Extrapolate": int(self.extrapolate)}
 
     def trace(self, block, bar=None):
         """Fit an implicit function to a block, and take its contours."""
@@ -180,19 +119,15 @@ class StructureSetWriter:
         except CommandError as error:
             raise CommandError(f"{block.name}: {error}")
         data = detached(contours.GetClientSideObject().GetOutputDataObject(0))
-        for line in strings(block.data, "Report"):
+        fitted = strings(function.GetClientSideObject().GetOutputDataObject(0), "Report")
+        for line in strings(block.data, "Report") + strings(data, "Report")[len(fitted):]:
             note(line)
-        pixel = self._pixel_in(block)
-        data, specks = without_specks(data, block.data, pixel)
-        if specks:
-            note(f"{block.name}: {specks} of the contours left out, smaller than a pixel ({pixel:.4g} mm2) and than "
-                 "half of any that was drawn.")
         slices = len(values(data, "LevelOffset"))
         if not slices:
             raise NothingToDo((strings(data, "Report") or ["There is nothing to make contours of."])[-1])
         self.rows.append([block.name, block.data.GetNumberOfCells(), data.GetNumberOfCells(), slices, f"{seconds:.2f}"])
         self.traced.append(Contours(block.name, data))
-        for proxy in list(reversed(stages)) + [source] + list(planes.values()):
+        for proxy in list(reversed(stages)) + [source] + [planes[name] for name in ("Planes",) if name in planes]:
             simple.Delete(proxy)
 
     def write(self):

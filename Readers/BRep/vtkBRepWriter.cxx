@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkBRepWriter.h"
 
+#include "Base/SubMonitor.h"
 #include "BRep/BRepFormatter.h"
+#include "Common/RegionFiles.h"
 #include "ContourConversion.h"
 #include "Contours/ContourChaining.h"
 #include "RunCore.h"
+#include "SurfaceBlocks.h"
 #include "vtkContourMonitor.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkDataObjectTree.h"
 #include "vtkInformation.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -77,6 +81,34 @@ std::vector<recon::SpaceLoop> LoopsOf(
   return loops;
 }
 
+/// Blocks with a surface; those without triangles are regions of which nothing was made.
+std::vector<recon::NamedPolyData> FilledOf(vtkDataObject* collection)
+{
+  std::vector<recon::NamedPolyData> filled;
+  for (const recon::NamedPolyData& region : recon::ListPolyData(collection))
+  {
+    if (region.Data->GetNumberOfPolys() > 0)
+    {
+      filled.push_back(region);
+    }
+  }
+  if (filled.empty())
+  {
+    throw recon::Error("No block of the collection has a surface to write.");
+  }
+  return filled;
+}
+
+std::vector<std::string> NamesOf(const std::vector<recon::NamedPolyData>& regions)
+{
+  std::vector<std::string> names;
+  for (const recon::NamedPolyData& region : regions)
+  {
+    names.push_back(region.Name);
+  }
+  return names;
+}
+
 /// The shell set of every triangle; empty where the surface does not tell.
 std::vector<int> ShellSetsOf(vtkPolyData* surface)
 {
@@ -115,11 +147,57 @@ void vtkBRepWriter::PrintSelf(ostream& os, vtkIndent indent)
 int vtkBRepWriter::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObjectTree");
   if (port == 1)
   {
     info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   }
   return 1;
+}
+
+void vtkBRepWriter::WriteSurface(
+  vtkPolyData* surface, vtkPolyData* contours, const std::string& fileName, recon::Monitor& monitor)
+{
+  recon::SubMonitor joining(monitor, 0.0, 0.6);
+  const recon::TriangleMesh mesh = recon::ToTriangleMesh(surface);
+  const std::vector<recon::SpaceLoop> loops = LoopsOf(surface, contours, joining);
+  std::vector<int> missing;
+  const recon::BRep brep = recon::MakeBRep(mesh, ShellSetsOf(surface), loops, missing, joining);
+  recon::SubMonitor writing(monitor, 0.6, 1.0);
+  recon::WriteBRep(fileName, brep, writing);
+  if (!missing.empty())
+  {
+    vtkWarningMacro(<< missing.size() << " of " << loops.size() << " contours (the first is number "
+                    << missing.front()
+                    << ") do not run along edges of the surface and were left out.");
+  }
+}
+
+void vtkBRepWriter::WriteRegions()
+{
+  const std::vector<recon::NamedPolyData> regions = FilledOf(this->GetInput());
+  const std::vector<vtkPolyData*> contours = recon::MatchContours(regions, this->GetInput(1));
+  const std::vector<std::string> files = recon::RegionFileNames(this->FileName, NamesOf(regions));
+  std::string failed;
+  for (std::size_t r = 0; r < regions.size(); ++r)
+  {
+    const auto count = static_cast<double>(regions.size());
+    vtkContourMonitor monitor(
+      this, static_cast<double>(r) / count, static_cast<double>(r + 1) / count);
+    try
+    {
+      this->WriteSurface(regions[r].Data, contours[r], files[r], monitor);
+    }
+    catch (const recon::Error& error)
+    {
+      // The other regions are written all the same.
+      failed += (failed.empty() ? "" : " ") + ("\"" + regions[r].Name + "\": " + error.what());
+    }
+  }
+  if (!failed.empty())
+  {
+    throw recon::Error(failed);
+  }
 }
 
 void vtkBRepWriter::WriteData()
@@ -128,24 +206,18 @@ void vtkBRepWriter::WriteData()
     vtkErrorCode::CannotOpenFileError, {},
     [&]
     {
+      if (vtkDataObjectTree::SafeDownCast(this->GetInput()))
+      {
+        this->WriteRegions();
+        return;
+      }
       vtkPolyData* surface = vtkPolyData::SafeDownCast(this->GetInput());
       if (!surface)
       {
         throw recon::Error("There is no surface to write: connect one to the writer.");
       }
-      vtkContourMonitor joining(this, 0.0, 0.6);
-      const recon::TriangleMesh mesh = recon::ToTriangleMesh(surface);
-      const std::vector<recon::SpaceLoop> loops =
-        LoopsOf(surface, vtkPolyData::SafeDownCast(this->GetInput(1)), joining);
-      std::vector<int> missing;
-      const recon::BRep brep = recon::MakeBRep(mesh, ShellSetsOf(surface), loops, missing, joining);
-      vtkContourMonitor writing(this, 0.6, 1.0);
-      recon::WriteBRep(this->FileName, brep, writing);
-      if (!missing.empty())
-      {
-        vtkWarningMacro(<< missing.size() << " of " << loops.size()
-                        << " contours (the first is number " << missing.front()
-                        << ") do not run along edges of the surface and were left out.");
-      }
+      vtkContourMonitor monitor(this);
+      this->WriteSurface(
+        surface, vtkPolyData::SafeDownCast(this->GetInput(1)), this->FileName, monitor);
     }));
 }

@@ -22,6 +22,10 @@
  * error, set the error code, and no file is written. A border is allowed, as in the appendix's own
  * example: it becomes a contour, and the next half-edge along it is the partner.
  *
+ * Of a collection (the regions of a structure set) each block with a surface gets a file of its own,
+ * named by recon::RegionFileNames; contours of a collection are those of the block of the same name.
+ * What is wrong with one region costs that one, and is said in the error.
+ *
  * @sa vtkBRepReader
  */
 #ifndef vtkBRepWriter_h
@@ -29,6 +33,15 @@
 
 #include "BRepReadersModule.h" // for the export macro
 #include "vtkWriter.h"
+
+#include <string> // for std::string
+
+class vtkPolyData;
+
+namespace recon
+{
+class Monitor;
+}
 
 class BREPREADERS_EXPORT vtkBRepWriter : public vtkWriter
 {
@@ -53,6 +66,10 @@ protected:
   void WriteData() override;
 
 private:
+  void WriteSurface(vtkPolyData* surface, vtkPolyData* contours, const std::string& fileName,
+    recon::Monitor& monitor);
+  void WriteRegions();
+
   vtkBRepWriter(const vtkBRepWriter&) = delete;
   void operator=(const vtkBRepWriter&) = delete;
 

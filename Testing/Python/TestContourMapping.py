@@ -9,7 +9,7 @@ simple = ct.load_plugin()
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 COLUMNS = ["Slab", "LowerContour", "UpperContour", "LowerContours", "UpperContours", "OverlapArea",
-           "LowerRatio", "UpperRatio", "Solid", "Rule", "Joined", "Words"]
+           "LowerRatio", "UpperRatio", "Solid", "Rule", "Joined", "Words", "Decision"]
 PIPE = ct.own("branching_pipe.cnt")
 
 

@@ -7,7 +7,7 @@ import contourtesting as ct
 from certificateshapes import SIDES, box_corners, box_triangles, boxes, square_contour, surface
 
 simple = ct.load_plugin()
-from vtkmodules.vtkCommonCore import VTK_FLOAT
+from vtkmodules.vtkCommonCore import VTK_FLOAT, vtkIntArray
 from vtkmodules.vtkCommonDataModel import (
     vtkCompositeDataSet, vtkPartitionedDataSetCollection, vtkPolyData)
 from vtkmodules.vtkFiltersCore import vtkStripper
@@ -21,12 +21,12 @@ def source(data):
 
 
 def certify(data, contours=None, **properties):
-    """(surface, table, the proxy)"""
+    """(surface, table of components, the proxy)"""
     inputs = {"Input": source(data)}
     if contours is not None:
         inputs["Contours"] = source(contours)
     proxy = simple.SurfaceCertificate(**inputs, **properties)
-    return ct.data(proxy, 0), ct.data(proxy, 1), proxy
+    return ct.data(proxy, 0), ct.data(proxy, 2), proxy
 
 
 def figure(data, name):
@@ -69,6 +69,20 @@ ct.check(table.GetColumnByName("Block") is None, "no blocks, no column")
 ct.check(math.isnan(table.GetValueByName(0, "WorstSectionPercent").ToDouble()) and
          table.GetValueByName(1, "WorstSectionPercent").ToDouble() == 0, "contours belong to the total row")
 
+
+def read(proxy, column):
+    """The table that people read, a column as (figure, text) in order."""
+    lines = ct.data(proxy, 1)
+    return [(cell(lines, r, "(figure)"), cell(lines, r, column)) for r in range(lines.GetNumberOfRows())]
+
+
+ct.check(read(proxy, "Surface")[:3] == [("Verdict", "sound"), ("Found", "nothing wrong"), ("Volume", "1")],
+         f"a row a figure, the verdict first: {read(proxy, 'Surface')}")
+ct.check(("Worst section, %", "0") in read(proxy, "Surface"), "and how the contours fare")
+proxy.SMProxy.UpdatePropertyInformation()
+ct.check(proxy.GetProperty("Verdict").GetElement(0) == "sound, volume 1", f"the panel: {proxy.GetProperty('Verdict')}")
+ct.check(out.GetCellData().GetScalars() is None, "nothing wrong, nothing to colour by")
+
 # Without the contours there is nothing to say about them.
 out, table, _ = certify(surface(CUBE, box_triangles()))
 ct.check(figure(out, "WorstSectionPercent") is None and table.GetColumnByName("WorstSectionPercent") is None,
@@ -87,7 +101,9 @@ out, _, _ = certify(stripper.GetOutput())
 ct.check(out.GetNumberOfStrips() == 0 and figure(out, "Sound") == 1, "strips of a sphere")
 
 # One triangle gone: empty, not wrong.
-out, table, _ = certify(surface(CUBE, box_triangles()[:-1]), square_contour(0.5))
+out, table, proxy = certify(surface(CUBE, box_triangles()[:-1]), square_contour(0.5))
+ct.check(out.GetCellData().GetScalars().GetName() == "Defect", "a view colours by what is wrong")
+ct.check(dict(read(proxy, "Surface"))["Volume"] == "-", "no volume, and no number that looks like one")
 ct.check(figure(out, "Closed") == 0 and figure(out, "OpenEdges") == 3 and figure(out, "Sound") == 0, "a hole")
 ct.check(math.isnan(figure(out, "Volume")) and figure(out, "Genus") == -1, "no volume, no genus")
 ct.check(sum(d & 1 for d in cells(out, "Defect")) == 3, "three triangles at the hole")
@@ -144,6 +160,21 @@ ct.check(out.GetMetaData(2).Get(vtkCompositeDataSet.NAME()) == "Lung", "names st
 ct.check([cell(table, r, "Block") + " " + cell(table, r, "Component") for r in range(table.GetNumberOfRows())] ==
          ["Heart 0", "Heart Total", "Nothing Total", "Lung 0", "Lung Total"], "a table of all blocks")
 ct.check(lines(out.GetPartition(1, 0), "Certificate") == ["There is no surface."], "an empty block says so")
+# Regions of a structure set are in millimetres.
+regions = []
+for name, number in (("Heart", 3), ("Lung", 4)):
+    region = surface(box_corners((0, 0, 0), (10, 10, 20)), box_triangles())
+    array = vtkIntArray()
+    array.SetName("ROINumber")
+    array.InsertNextValue(number)
+    region.GetFieldData().AddArray(array)
+    regions.append((name, region))
+_, _, proxy = certify(collection(regions))
+ct.check(dict(read(proxy, "Lung"))["Volume, cm3"] == "2", f"a column a region: {read(proxy, 'Lung')}")
+proxy.SMProxy.UpdatePropertyInformation()
+ct.check(proxy.GetProperty("Verdict").GetElement(0) == "Heart: sound, 2 cm3\nLung: sound, 2 cm3", "and in the panel")
+_, _, proxy = certify(collection(regions + [("Heart", good)]))
+ct.check(dict(read(proxy, "Heart (2)"))["Volume"] == "1", "one of another unit takes the unit from all, and its name stays")
 out, _, _ = certify(collection([("", good), ("", good)]),
                     collection([("", square_contour(0.5)), ("", square_contour(0.5, x=0.25))]))
 ct.check([figure(out.GetPartition(i, 0), "WorstSectionPercent") for i in (0, 1)] == [0, 50],
@@ -177,5 +208,6 @@ algorithm.AddObserver("ProgressEvent", lambda o, _: o.SetAbortExecute(1) if o.Ge
 algorithm.Modified()
 algorithm.Update()
 ct.check(algorithm.GetOutputDataObject(0).GetNumberOfElements(0) == 0 and
-         algorithm.GetOutputDataObject(1).GetNumberOfRows() == 0, "aborted: no output")
+         algorithm.GetOutputDataObject(1).GetNumberOfRows() == algorithm.GetOutputDataObject(2).GetNumberOfRows() == 0,
+         "aborted: no output")
 ct.finish()

@@ -176,6 +176,46 @@ std::string DescribeState(const ComponentCertificate& total)
   return text + ".";
 }
 
+std::string YesOrNo(bool value)
+{
+  return value ? "yes" : "NO";
+}
+
+/// Digits of a figure that is read, not computed with.
+constexpr int ReadDigits = 6;
+
+std::string RoundOr(const std::optional<double>& value, int digits = ReadDigits)
+{
+  return value ? Round(*value, digits) : "-";
+}
+
+std::string VerdictWord(const ComponentCertificate& total)
+{
+  return total.Topology.Components == 0 ? "no surface" : total.IsSound() ? "sound" : "NOT sound";
+}
+
+constexpr double CubicMillimetres = 1000;
+constexpr double SquareMillimetres = 100;
+
+std::optional<double> Divided(const std::optional<double>& value, double by)
+{
+  return value ? std::optional<double>(*value / by) : std::nullopt;
+}
+
+void AddContourLines(const SurfaceCertificate& certificate, const std::string& unit,
+  std::vector<CertificateLine>& lines)
+{
+  const auto& distance = certificate.Distance;
+  const auto of = [&](double ContourDistance::*figure)
+  { return distance ? std::optional<double>((*distance).*figure) : std::nullopt; };
+  lines.push_back(
+    { "Farthest contour point" + unit, RoundOr(of(&ContourDistance::FarthestVertex)) });
+  lines.push_back({ "Mean of contour points" + unit, RoundOr(of(&ContourDistance::MeanVertex)) });
+  lines.push_back({ "Farthest contour edge" + unit, RoundOr(of(&ContourDistance::FarthestEdge)) });
+  lines.push_back({ "Worst section, %", RoundOr(certificate.WorstSectionPercent()) });
+  lines.push_back({ "All sections, %", RoundOr(certificate.TotalSectionPercent()) });
+}
+
 std::string DescribeShape(const ComponentCertificate& total)
 {
   const TopologyFigures& t = total.Topology;
@@ -241,6 +281,55 @@ std::vector<CertificateFigure> ListContourFigures(const SurfaceCertificate& cert
   AddReal(figures, "WorstSectionPercent", certificate.WorstSectionPercent());
   AddReal(figures, "TotalSectionPercent", certificate.TotalSectionPercent());
   return figures;
+}
+
+std::vector<CertificateLine> ListLines(
+  const SurfaceCertificate& certificate, bool millimetres, bool withContours)
+{
+  const ComponentCertificate& total = certificate.Total;
+  const TopologyFigures& t = total.Topology;
+  const std::string defects = ListDefects(total);
+  const double cubes = millimetres ? CubicMillimetres : 1;
+  const double squares = millimetres ? SquareMillimetres : 1;
+  std::vector<CertificateLine> lines{
+    { "Verdict", VerdictWord(total) },
+    { "Found", defects.empty() ? "nothing wrong" : defects },
+    { millimetres ? "Volume, cm3" : "Volume", RoundOr(Divided(total.Mass.Volume, cubes)) },
+    { millimetres ? "Area, cm2" : "Area", RoundOr(total.Mass.Area / squares) },
+    { "Closed", YesOrNo(t.Closed) },
+    { "Manifold", YesOrNo(t.Manifold()) },
+    { "Oriented outward", YesOrNo(t.Oriented && t.Outward) },
+    { "Triangles cross",
+      total.Pairs.Crossing + total.Pairs.Overlapping + total.CrossingEdges > 0 ? "YES" : "no" },
+    { "Pieces", std::to_string(t.Components) },
+    { "Tunnels", t.Genus ? std::to_string(*t.Genus) : "-" },
+    { "Triangles", std::to_string(t.Triangles) },
+    { "Smallest angle, degrees", RoundOr(total.Mass.SmallestAngle, 3) },
+  };
+  if (withContours)
+  {
+    AddContourLines(certificate, millimetres ? ", mm" : "", lines);
+  }
+  return lines;
+}
+
+std::string ToVerdict(const SurfaceCertificate& certificate, bool millimetres)
+{
+  const ComponentCertificate& total = certificate.Total;
+  if (total.Topology.Components == 0)
+  {
+    return "no surface";
+  }
+  const std::string defects = ListDefects(total);
+  std::string text = VerdictWord(total);
+  text += defects.empty() ? "" : " (" + defects + ")";
+  if (!total.Mass.Volume)
+  {
+    return text + ", no volume";
+  }
+  return text + ", " +
+    (millimetres ? Round(*total.Mass.Volume / CubicMillimetres, ReadDigits) + " cm3"
+                 : "volume " + Round(*total.Mass.Volume, ReadDigits));
 }
 
 std::string ToJson(const SurfaceCertificate& certificate)

@@ -34,6 +34,27 @@ std::vector<CertificateFigure> ListFigures(const ComponentCertificate& certifica
 /// The figures that only a surface with contours has; of one without, all are empty.
 std::vector<CertificateFigure> ListContourFigures(const SurfaceCertificate& certificate);
 
+/// A line of the table that people read: what, and how much of it, "-" where it has no meaning.
+struct CertificateLine
+{
+  std::string Figure;
+  std::string Value;
+};
+
+/**
+ * The certificate of the whole in reading order: the verdict, what is wrong, the volume, the area,
+ * then what makes the verdict, the shape, and how the contours fare. Always the same figures in the
+ * same order.
+ *
+ * @param millimetres the unit is known to be the millimetre: volume is in cm3, area in cm2
+ * @param withContours whether there are lines about contours
+ */
+std::vector<CertificateLine> ListLines(
+  const SurfaceCertificate& certificate, bool millimetres, bool withContours);
+
+/// "sound, 12.3 cm3", "NOT sound (3 open edges), no volume": what a region is worth in a few words.
+std::string ToVerdict(const SurfaceCertificate& certificate, bool millimetres);
+
 /**
  * Everything but what is said a triangle, as one JSON object.
  *

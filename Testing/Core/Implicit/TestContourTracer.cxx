@@ -115,3 +115,38 @@ TEST(ContourTracerInvalid, EachBadInputHasItsSentence)
   EXPECT_THROW(ParallelPlanes({ 0, 0, std::nan("") }, 0, 1, 1), Error);
   EXPECT_THROW(Trace(Ball(), { { FrameAbout({ 0, 0, 1 }), std::nan("") } }), Error);
 }
+
+TEST(ContourTracer, PlanesBeyondTheOutermostPointsAreNotWithin)
+{
+  const std::vector<Point3> points = { { 0, 0, 1 }, { 5, 0, 4 } };
+  const auto planes = ParallelPlanes({ 0, 0, 1 }, 0, 5, 1);
+  const auto within = PlanesWithin(planes, points, 0);
+  ASSERT_EQ(within.size(), 4u);
+  EXPECT_EQ(within.front().Offset, 1);
+  EXPECT_EQ(within.back().Offset, 4);
+  EXPECT_EQ(PlanesWithin(planes, points, 1).size(), 6u);
+  EXPECT_TRUE(PlanesWithin(planes, {}, 1).empty());
+  // Seen along another normal the same points reach from 0 to 5.
+  EXPECT_EQ(PlanesWithin(ParallelPlanes({ 1, 0, 0 }, -2, 9, 1), points, 0).size(), 6u);
+}
+
+TEST(ContourTracer, SpecksAreLeftOutAndCounted)
+{
+  TracerOptions options;
+  options.SmallestArea = 10;
+  Monitor monitor;
+  const auto planes = ParallelPlanes({ 0, 0, 1 }, 500, 509, 9);
+  const ContourSet set =
+    TraceContours(Ball().Function, SeedsOf(Ball().Contours), planes, options, monitor);
+  // Of radius 10 at the equator, and of less than 5 near the pole.
+  ASSERT_EQ(set.Contours.size(), 2u);
+  EXPECT_NEAR(set.Contours.front().SignedArea, 314, 10);
+  const std::size_t told = set.Report.size();
+  options.SmallestArea = 100;
+  const ContourSet fewer =
+    TraceContours(Ball().Function, SeedsOf(Ball().Contours), planes, options, monitor);
+  ASSERT_EQ(fewer.Contours.size(), 1u);
+  ASSERT_EQ(fewer.Report.size(), told + 1);
+  EXPECT_EQ(fewer.Report.back(),
+    "1 computed contour of less than 100 square units left out, as nobody drew one so small.");
+}

@@ -106,3 +106,59 @@ TEST(CertificateText, JsonSaysNullWhereThereIsNothingToSay)
   EXPECT_NE(json.find("\"WorstSectionPercent\": null"), std::string::npos);
   EXPECT_EQ(json.find("nan"), std::string::npos);
 }
+
+namespace
+{
+std::map<std::string, std::string> LinesByName(const std::vector<CertificateLine>& lines)
+{
+  std::map<std::string, std::string> map;
+  for (const auto& line : lines)
+  {
+    EXPECT_TRUE(map.emplace(line.Figure, line.Value).second) << line.Figure << " twice";
+  }
+  return map;
+}
+}
+
+TEST(CertificateText, LinesBeginWithTheVerdictAndTheVolume)
+{
+  const ContourSet contours = MakeSquareLevel(0.5, 0.25);
+  const SurfaceCertificate certificate = CertifyMesh(MakeCube(), &contours);
+  const auto lines = ListLines(certificate, true, true);
+  EXPECT_EQ(lines[0].Figure, "Verdict");
+  EXPECT_EQ(lines[0].Value, "sound");
+  EXPECT_EQ(lines[2].Figure, "Volume, cm3");
+  EXPECT_EQ(lines[2].Value, "0.001");
+  auto map = LinesByName(lines);
+  EXPECT_EQ(map["Area, cm2"], "0.06");
+  EXPECT_EQ(map["Farthest contour point, mm"], "0.25");
+  EXPECT_EQ(map["Worst section, %"], "50");
+  EXPECT_EQ(map["Tunnels"], "0");
+  EXPECT_EQ(ToVerdict(certificate, true), "sound, 0.001 cm3");
+  EXPECT_EQ(ToVerdict(certificate, false), "sound, volume 1");
+  EXPECT_EQ(ListLines(certificate, false, false)[2].Value, "1");
+}
+
+TEST(CertificateText, LinesOfWhatHasNoVolume)
+{
+  TriangleMesh mesh = MakeBox({ 0, 0, 0 }, { 2, 2, 2 });
+  mesh.Triangles.pop_back();
+  const SurfaceCertificate certificate = CertifyMesh(mesh);
+  auto map = LinesByName(ListLines(certificate, true, true));
+  EXPECT_EQ(map["Verdict"], "NOT sound");
+  EXPECT_EQ(map["Found"], "3 open edges");
+  EXPECT_EQ(map["Volume, cm3"], "-");
+  EXPECT_EQ(map["Tunnels"], "-");
+  EXPECT_EQ(map["Farthest contour point, mm"], "-");
+  EXPECT_EQ(ToVerdict(certificate, true), "NOT sound (3 open edges), no volume");
+  // The same figures in the same order, whatever the surface is worth.
+  const auto none = ListLines(CertifyMesh(TriangleMesh()), true, true);
+  const auto some = ListLines(certificate, true, true);
+  ASSERT_EQ(none.size(), some.size());
+  for (std::size_t i = 0; i < none.size(); ++i)
+  {
+    EXPECT_EQ(none[i].Figure, some[i].Figure);
+  }
+  EXPECT_EQ(none[0].Value, "no surface");
+  EXPECT_EQ(ToVerdict(CertifyMesh(TriangleMesh()), true), "no surface");
+}

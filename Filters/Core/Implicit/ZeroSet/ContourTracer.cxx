@@ -4,6 +4,7 @@
 #include "Base/BoundingBox.h"
 #include "Base/SubMonitor.h"
 #include "Contours/ContourSetBuilder.h"
+#include "Contours/Specks.h"
 #include "Implicit/ZeroSet/EdgeRoots.h"
 #include "Implicit/ZeroSet/Polygonizer.h"
 #include "Implicit/ZeroSet/SurfaceTracker.h"
@@ -25,6 +26,8 @@ constexpr std::size_t FewPoints = 64;
 /// A point half way moves by at most this part of its chord, in so many steps of Newton's.
 constexpr double MostMove = 0.25;
 constexpr int HalfWaySteps = 2;
+/// A plane's offset, and that of a point in it, differ by no more than this part of it.
+constexpr double OffsetRounding = 1e-14;
 
 /// The three kinds of edges of a grid of squares with one diagonal, by the offset of their far end.
 constexpr int EdgeOffsets[3][2] = { { 1, 0 }, { 0, 1 }, { 1, 1 } };
@@ -326,6 +329,7 @@ ContourSet TraceContours(const ImplicitFunction& function, const std::vector<Poi
     Monitor silent;
     AppendLoops(PlaneTracer(field, surface, grid).Trace(options.Tolerance, silent), soup);
   }
+  const std::string specks = LeaveOutSpecks(options.SmallestArea, soup);
   if (soup.Chains.empty())
   {
     throw Error("No plane meets the surface: move the range of the planes over the contours.");
@@ -333,7 +337,32 @@ ContourSet TraceContours(const ImplicitFunction& function, const std::vector<Poi
   SubMonitor nesting(monitor, 0.9, 1);
   ContourSetOptions building;
   building.Parallel = AllParallel(planes);
-  return BuildContourSet(soup, building, nesting);
+  ContourSet contours = BuildContourSet(soup, building, nesting);
+  if (!specks.empty())
+  {
+    contours.Report.push_back(specks);
+  }
+  return contours;
+}
+
+std::vector<TracePlane> PlanesWithin(
+  const std::vector<TracePlane>& planes, const std::vector<Point3>& points, double tolerance)
+{
+  std::vector<TracePlane> within;
+  for (const TracePlane& plane : planes)
+  {
+    const double least = -tolerance - OffsetRounding * std::abs(plane.Offset);
+    const auto reaches = [&](double side)
+    {
+      return std::any_of(points.begin(), points.end(),
+        [&](const Point3& p) { return side * (plane.Frame.OffsetOf(p) - plane.Offset) >= least; });
+    };
+    if (reaches(1) && reaches(-1))
+    {
+      within.push_back(plane);
+    }
+  }
+  return within;
 }
 
 PlanarFrame FrameAbout(const Vector3& normal)

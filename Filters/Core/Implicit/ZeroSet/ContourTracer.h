@@ -28,6 +28,7 @@ struct TracerOptions
     Box;                   ///< contours are closed where they reach it; as PolygonizerOptions::Box
   double Tolerance = 1e-6; ///< of a root, in cells
   double MaximumCells = 4e6; ///< more are refused, as in PolygonizerOptions
+  double SmallestArea = 0;   ///< contours that enclose less are left out, with a line in Report
   int Threads = 0;
 };
 
@@ -50,6 +51,11 @@ ContourSet TraceContours(const ImplicitFunction& function, const std::vector<Poi
 /// on bad numbers.
 std::vector<TracePlane> ParallelPlanes(
   const Vector3& normal, double from, double to, double spacing);
+
+/// Those that lie between the outermost of the points, seen along their normals, or beyond them by
+/// less than the tolerance (in the points' unit).
+std::vector<TracePlane> PlanesWithin(
+  const std::vector<TracePlane>& planes, const std::vector<Point3>& points, double tolerance);
 
 /// The planes of a contour set's levels.
 std::vector<TracePlane> PlanesOf(const ContourSet& contours);
