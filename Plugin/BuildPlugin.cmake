@@ -12,7 +12,8 @@ foreach (folder IN ITEMS
     Readers/BRep
     Readers/CurveNetwork
     Readers/DICOM
-    Readers/NUAGES)
+    Readers/NUAGES
+    Readers/Traces)
   list(APPEND contour_module_files "${PROJECT_SOURCE_DIR}/${folder}/vtk.module")
 endforeach ()
 
