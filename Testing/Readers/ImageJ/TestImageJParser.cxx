@@ -94,7 +94,7 @@ TEST_F(ImageJParser, ReadsCompositeOutlines)
   BigEndian shape;
   shape.Content = ROI({}, 1, "", 1);
   shape.Content.resize(64);
-  std::vector<float> numbers{ 0, 0, 0, 1, 4, 0, 1, 4, 4, 4, 0, 1, 1, 2, 2, 1, 3, 1, 4 };
+  std::vector<float> numbers{ 0, 0, 0, 1, 4, 0, 1, 4, 4, 4, 0, 1, 1, 2, 2, 2, 3, 1, 4 };
   shape.Put(36, BigEndian().Int(static_cast<std::int64_t>(numbers.size())).Content);
   shape.Put(60, BigEndian().Int(0).Content);
   for (const float number : numbers)

@@ -114,7 +114,7 @@ TEST_F(ReconstructParser, SaysWhatIsWrong)
   this->Fails("a.jser", "{\"sections\": {}}", "it holds no contours");
   this->Fails("a.jser", "{\"sections\": [", "found the end of the file");
   this->Fails("a.jser", std::string(200, '[').insert(0, "{\"a\": "), "nested more than 64 deep");
-  this->Fails("a.jser", "{\"sections\": [1 2]}", "expected a value, found '1'");
+  this->Fails("a.jser", "{\"sections\": [1 2]}", "expected ',' or ']', found '2'");
   const recon::TracedFile file = this->Read("b.jser",
     std::string(JSONSeries).replace(std::string(JSONSeries).find("[0, 1, 1]"), 9, "[0, 1]"));
   EXPECT_EQ(file.Report,
