@@ -13,7 +13,8 @@ foreach (folder IN ITEMS
     Readers/BRep
     Readers/CurveNetwork
     Readers/DICOM
-    Readers/NUAGES)
+    Readers/NUAGES
+    Readers/Traces)
   list(APPEND contour_module_files "${PROJECT_SOURCE_DIR}/${folder}/vtk.module")
 endforeach ()
 
@@ -67,9 +68,9 @@ paraview_plugin_build(
   INSTALL_HEADERS OFF)
 
 # What a user needs, without the tests: all that is installed.
-add_custom_target(plugin DEPENDS ContourReconstruction)
+add_custom_target(plugin DEPENDS ContourReconstruction ContourManPage)
 if (CONTOUR_WRAP_PYTHON)
-  foreach (module IN LISTS contour_modules)
+  foreach (module IN LISTS contour_wrapped_modules)
     add_dependencies(plugin ${module}Python)
   endforeach ()
 endif ()

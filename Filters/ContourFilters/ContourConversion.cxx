@@ -80,8 +80,9 @@ void MarkTypes(vtkPolyData* input, LoopSoup& soup)
   {
     return;
   }
-  // Only DICOM has such types, and its unit is the millimetre.
-  soup.Millimetres = true;
+  // DICOM has such types, and its unit is the millimetre; other files that have them tell theirs.
+  auto* unit = vtkStringArray::SafeDownCast(input->GetFieldData()->GetAbstractArray("LengthUnit"));
+  soup.Millimetres = !unit || (unit->GetNumberOfValues() > 0 && unit->GetValue(0) == "mm");
   for (LoopSoup::Chain& chain : soup.Chains)
   {
     chain.ExclusiveOr = chain.Source < types->GetNumberOfValues() &&

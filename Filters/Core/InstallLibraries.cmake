@@ -6,7 +6,7 @@ include(CMakePackageConfigHelpers)
 set(contour_header_destination "${CMAKE_INSTALL_INCLUDEDIR}/ContourReconstruction")
 set(contour_package_destination "${CMAKE_INSTALL_LIBDIR}/cmake/ContourReconstruction")
 
-install(TARGETS ContourCore ContourParsers ContourDICOM
+install(TARGETS ContourCore ContourParsers ContourTraces ContourDICOM
   EXPORT ContourReconstructionTargets
   ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT Development
   INCLUDES DESTINATION "${contour_header_destination}")

@@ -12,14 +12,13 @@ import sys
 from paraview import simple
 
 # What scripts that use this module find here.
-from contourcommon import (CommandError, NothingToDo, ProgressBar, as_source, detached, load_plugin, new_node, note,  # noqa: F401
+from contourcommon import (CommandError, Notes, NothingToDo, ProgressBar, as_source, detached, load_plugin, new_node, note,  # noqa: F401
                            run_proxy, strings, values)
-from contourinput import PARAVIEW_FORMATS, READERS, Contours, is_dicom, read_contours  # noqa: F401
-from contouroutput import SURFACE_FORMATS, output_paths, parse_offset, write_surface  # noqa: F401
+from contourinput import Contours, read_contours  # noqa: F401
+from contouroptions import METHODS, PARAVIEW_FORMATS, READERS, STRUCTURE_SET, SURFACE_FORMATS  # noqa: F401
+from contouroutput import output_paths, write_surface  # noqa: F401
 from contoursettings import SettingError, apply_settings, describe, settable  # noqa: F401
-
-METHODS = {"psm": "PolyhedralSurface", "ism": "ImplicitSurface"}
-STRUCTURE_SET = ".dcm"
+from contourtable import format_table, quantity, volume, yes
 
 
 class Result:
@@ -29,7 +28,7 @@ class Result:
         self.contours = contours
         self.surface = surface
         self.seconds = seconds  # list of (stage, seconds)
-        self.certificate = certificate  # dictionary
+        self.certificate = certificate  # dictionary; None where the surface was not examined
         self.report = report  # lines
 
     @property
@@ -49,8 +48,8 @@ def settings_for(path, method, settings):
     return list(settings) + (["PinchGap=0"] if brep and method == "psm" and not given else [])
 
 
-def reconstruct(contours, method="psm", settings=(), bar=None):
-    """Contours to a certified surface."""
+def reconstruct(contours, method="psm", settings=(), bar=None, examine=True):
+    """Contours to a surface, with a certificate unless it is not to be examined."""
     source = as_source(contours.data)
     node = new_node(METHODS[method], Input=source)
     examiner = new_node("SurfaceCertificate", Input=source, Contours=source)
@@ -66,8 +65,10 @@ def reconstruct(contours, method="psm", settings=(), bar=None):
         stages = [("surface", total)]
     else:
         stages.insert(0, ("clean contours", max(0.0, total - sum(s for _, s in stages))))
-    certificate, seconds = certify(surface, source, bar, examiner)
-    stages.append(("certificate", seconds))
+    certificate = None
+    if examine:
+        certificate, seconds = certify(surface, source, bar, examiner)
+        stages.append(("certificate", seconds))
     simple.Delete(node)
     simple.Delete(source)
     return Result(contours, surface, stages, certificate, report)
@@ -170,39 +171,32 @@ def contour_count(result):
     return int(used[0]) if used else result.contours.data.GetNumberOfCells()
 
 
-def _yes(value):
-    return "yes" if value else "NO"
+def figures(result):
+    """What there is to say of a surface, by name; None where it was not examined."""
+    known = {"Name": result.name, "Contours": contour_count(result), "Triangles": result.triangles,
+             "Seconds": round(sum(s for _, s in result.seconds), 3), "Notes": result.report}
+    c = result.certificate
+    if c is None:
+        return {**known, "Closed": None, "Manifold": None, "CrossingPairs": None, "Volume": None, "Area": None}
+    return {**known, "Closed": bool(c["Closed"]), "Manifold": bool(c["EdgeManifold"] and c["VertexManifold"] and c["Oriented"]),
+            "CrossingPairs": int(c["CrossingPairs"]), "Volume": _finite(c["Volume"]), "Area": _finite(c["Area"])}
 
 
-def _quantity(value):
-    if value is None or math.isnan(value):
-        return "-"
-    return f"{value:.7g}"
-
-
-def format_table(rows, titles):
-    """Columns as wide as their widest entry; the first is left-aligned."""
-    cells = [titles] + [[str(cell) for cell in row] for row in rows]
-    widths = [max(len(row[c]) for row in cells) for c in range(len(titles))]
-    lines = []
-    for row in cells:
-        rest = "  ".join(cell.rjust(width) for cell, width in zip(row[1:], widths[1:]))
-        lines.append((row[0].ljust(widths[0]) + "  " + rest).rstrip())
-    lines.insert(1, "-" * max(len(line) for line in lines))
-    return "\n".join(lines)
+def _finite(value):
+    return value if value is not None and math.isfinite(value) else None
 
 
 def print_results(results, extra_stages=()):
     """The table: a row a surface, then seconds by stage, then what was left out or repaired."""
+    units = {r.contours.unit for r in results}
+    unit = units.pop() if len(units) == 1 else None
     rows = []
     for r in results:
-        c = r.certificate
-        manifold = c["EdgeManifold"] and c["VertexManifold"] and c["Oriented"]
-        rows.append([r.name, contour_count(r), r.triangles, _yes(c["Closed"]), _yes(manifold),
-                     int(c["CrossingPairs"]), _quantity(c["Volume"]), f"{sum(s for _, s in r.seconds):.2f}"])
-    units = {r.contours.unit for r in results}
-    volume = f"volume/{units.pop()}3" if len(units) == 1 and None not in units else "volume/unit3"
-    titles = ["", "contours", "triangles", "closed", "manifold", "crossings", volume, "seconds"]
+        f = figures(r)
+        crossings = "-" if f["CrossingPairs"] is None else f["CrossingPairs"]
+        rows.append([r.name, f["Contours"], f["Triangles"], yes(f["Closed"]), yes(f["Manifold"]), crossings,
+                     quantity(volume(f["Volume"], unit)[0]), f"{sum(s for _, s in r.seconds):.2f}"])
+    titles = ["", "contours", "triangles", "closed", "manifold", "crossings", f"volume/{volume(None, unit)[1]}", "seconds"]
     print(format_table(rows, titles))
     print()
     print_stages(results, extra_stages)

@@ -4,15 +4,19 @@
 Runs in pvpython with the plugin's path in CONTOUR_PLUGIN. Every failure is a CommandError whose text is
 one sentence for the user.
 """
+import contextlib
 import os
 import re
+import signal
 import sys
 import time
 
 from paraview import simple
 
+from contouroptions import UsageError
 
-class CommandError(Exception):
+
+class CommandError(UsageError):
     """One sentence for the user."""
 
 
@@ -20,9 +24,41 @@ class NothingToDo(CommandError):
     """A region of which nothing can be made, through no fault of its own; no failure."""
 
 
+class Notes:
+    """What the user should know though all went on: sentences on standard error, or kept for a summary, or both."""
+
+    printed = True
+    said = []
+
+    @classmethod
+    @contextlib.contextmanager
+    def kept(cls, printed):
+        """The notes of a task are in the list that this gives."""
+        before, cls.said, cls.printed = (cls.said, cls.printed), [], printed
+        try:
+            yield cls.said
+        finally:
+            cls.said, cls.printed = before
+
+
 def note(sentence):
-    """What the user should know though all went on, on standard error."""
-    print("Note: " + sentence, file=sys.stderr)
+    Notes.said.append(sentence)
+    if Notes.printed:
+        print("Note: " + sentence, file=sys.stderr)
+
+
+@contextlib.contextmanager
+def uninterrupted():
+    """Ctrl-C and an end from outside wait until this is over: nothing half done stays behind."""
+    caught = []
+    before = {number: signal.signal(number, lambda seen, _: caught.append(seen)) for number in (signal.SIGINT, signal.SIGTERM)}
+    try:
+        yield
+    finally:
+        for number, handler in before.items():
+            signal.signal(number, handler or signal.SIG_DFL)  # None: one that is not Python's
+        if caught:
+            os.kill(os.getpid(), caught[0])
 
 
 def load_plugin():
@@ -41,7 +77,7 @@ class ProgressBar:
 
     def __init__(self, title):
         self.title = title
-        self.shown = sys.stderr.isatty()
+        self.shown = os.isatty(2)  # pvpython's sys.stderr never says so
 
     def update(self, fraction, stage):
         if not self.shown:

@@ -4,17 +4,10 @@ import os
 
 from paraview import simple
 
+from contourchecks import is_dicom
 from contourcommon import CommandError, Watched, as_source, detached, new_node, note, run_proxy, strings, values
+from contouroptions import PARAVIEW_FORMATS, READERS
 
-READERS = {
-    ".cnt": "NUAGESContourReader",
-    ".csl": "CurveNetworkReader",
-    ".contour": "CurveNetworkReader",
-    ".dcm": "DICOMRTStructureSetReader",
-    ".vtp": "XMLPolyDataReader",
-}
-# What ParaView reads by itself, with whatever reader it has for it.
-PARAVIEW_FORMATS = (".vtk", ".vtm", ".vtu", ".vtpc", ".obj", ".geojson", ".dxf", ".shp")
 OPEN_TYPES = ("POINT", "OPEN_PLANAR", "OPEN_NONPLANAR")
 
 
@@ -57,16 +50,6 @@ class Contours:
         """The ROI's number in its file, or None."""
         found = values(self.data, "ROINumber") if self.data is not None else []
         return int(found[0]) if found else None
-
-
-def is_dicom(path):
-    """By content: the preamble's magic word, or, of files without a preamble, a first element of group 2 or 8."""
-    try:
-        with open(path, "rb") as file:
-            head = file.read(132)
-    except OSError:
-        return False
-    return head[128:132] == b"DICM" or head[:2] in (b"\x02\x00", b"\x08\x00")
 
 
 def choose_rois(known, wanted, path):
@@ -112,8 +95,8 @@ def _open(path):
     return reader
 
 
-def read_contours(path, rois=None):
-    """All contours of a file, a Contours object a region; (list, seconds)."""
+def read_contours(path, rois=None, unit=None):
+    """All contours of a file, a Contours object a region; (list, seconds). The unit is for files that tell none."""
     if not os.path.isfile(path):
         raise CommandError(f"There is no file {path}.")
     reader = _open(path)
@@ -126,7 +109,10 @@ def read_contours(path, rois=None):
     title = os.path.splitext(os.path.basename(path))[0]
     isDICOM = reader.GetXMLName() == "DICOMRTStructureSetReader"
     data = reader.GetClientSideObject().GetOutputDataObject(0)
-    blocks = _blocks(data, title, "mm" if isDICOM else None)
+    told = "mm" if isDICOM else "".join(strings(data, "LengthUnit")) or None
+    if unit and told and unit != told:
+        raise CommandError(f"--unit {unit}: the coordinates of {path} are in {told}.")
+    blocks = _blocks(data, title, told or unit)
     if not blocks:
         raise CommandError(f"{path} holds no contours.")
     if not data.IsA("vtkPartitionedDataSetCollection") and len(blocks) > 1:

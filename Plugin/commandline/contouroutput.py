@@ -6,9 +6,9 @@ import unicodedata
 
 from paraview import simple
 
-from contourcommon import CommandError, Watched, as_source, detached, new_node, note, run_proxy
+from contourcommon import CommandError, Watched, as_source, detached, new_node, note, run_proxy, uninterrupted
+from contouroptions import SURFACE_FORMATS
 
-SURFACE_FORMATS = (".vtp", ".stl", ".ply", ".brep")
 SINGLE_PRECISION = (".stl",)
 LONGEST_NAME = 100   # characters of a region's name in a file's
 LONGEST_FILE = 240   # bytes: what file systems take (255), less what a file is called while it is written
@@ -65,19 +65,6 @@ def _numbered(name, number, room, taken):
             return candidate
         more += 1
         tail = f"-{number}-{more}"
-
-
-def parse_offset(text):
-    """Three numbers, or "auto"."""
-    if text is None or text == "auto":
-        return text
-    try:
-        numbers = [float(word) for word in text.split(",")]
-    except ValueError:
-        numbers = []
-    if len(numbers) != 3:
-        raise CommandError(f"--offset {text}: give X,Y,Z, or auto for the middle of the surface in whole numbers.")
-    return numbers
 
 
 def offset_of(surface, offset):
@@ -167,16 +154,17 @@ def write_surface(path, result, offset=None):
         note(f"{path}: coordinates are those of the contours less ({', '.join(f'{x:.15g}' for x in taken)}).")
     if extension in SINGLE_PRECISION:
         warn_of_precision(path, surface)
-    try:
-        _write(part, extension, surface, contours)
-        if not os.path.exists(part) or os.path.getsize(part) == 0:
-            raise CommandError(f"{path} could not be written: is the disk full, or the folder write-protected?")
-        os.replace(part, path)
-    except OSError as error:
-        raise CommandError(f"{path} could not be written: {error.strerror}.")
-    finally:
-        if os.path.exists(part):
-            os.remove(part)
+    with uninterrupted():
+        try:
+            _write(part, extension, surface, contours)
+            if not os.path.exists(part) or os.path.getsize(part) == 0:
+                raise CommandError(f"{path} could not be written: is the disk full, or the folder write-protected?")
+            os.replace(part, path)
+        except OSError as error:
+            raise CommandError(f"{path} could not be written: {error.strerror}.")
+        finally:
+            if os.path.exists(part):
+                os.remove(part)
     return time.perf_counter() - start
 
 

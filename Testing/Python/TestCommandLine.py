@@ -13,12 +13,11 @@ SCRIPT = os.path.join(ct.SOURCE, "Plugin", "commandline", "reconstruct.py")
 FOLDER = ct.output("command line")
 shutil.rmtree(FOLDER, ignore_errors=True)
 os.makedirs(FOLDER)
-PVPYTHON = shutil.which("pvpython")
+PYTHON = shutil.which("python3")
 
 
 def reconstruct(*arguments):
-    return subprocess.run([PVPYTHON, "--force-offscreen-rendering", SCRIPT, *arguments], cwd=FOLDER,
-                          capture_output=True, text=True)
+    return subprocess.run([PYTHON, SCRIPT, *arguments], cwd=FOLDER, capture_output=True, text=True)
 
 
 def succeeds(*arguments):
@@ -128,10 +127,18 @@ fails("cannot write '.obj'", brain, "out.obj")
 fails("There is no folder", brain, os.path.join("nowhere", "out.vtp"))
 fails("no property 'Nonsense'", brain, "out.vtp", "--set", "Nonsense=1")
 fails("PROPERTY=VALUE", brain, "out.vtp", "--set", "InternalPoints")
+plain = succeeds(pipe, "unexamined.vtp", "--certificate", "none", "--unit", "cm")
+row = [line for line in plain.splitlines() if line.startswith("branching_pipe")][0].split()
+ct.check(row[3:7] == ["-"] * 4 and "volume/cm3" in plain and "\ncertificate" not in plain,
+         f"--certificate none examines nothing, and --unit names the unit: {plain}")
+ct.check("\x1b" not in plain, "no colours where there is no terminal")
+fails("are in mm", "drawn.dcm", "out.vtp", "--unit", "cm")
 fails("--roi needs a DICOM", brain, "out.vtp", "--roi", "Heart")
 listed = succeeds("drawn.dcm", "--list")
 ct.check("Body" in listed and "Ball" in listed and "EndCaps = Tapered: Flat, HalfSlice, Tapered, None" in listed,
          f"--list tells regions and properties: {listed}")
+ct.check("EndCaps = Tapered" in succeeds("--list"), "--list without a file tells the properties")
+ct.check("volume/cm3" in succeeds("drawn.dcm", "unit.vtp", "--roi", "Body"), "volumes of structure sets are in cm3")
 # Settings are checked against what the nodes say of them, names in any case.
 for setting, words in (("EndCaps=Round", "one of Flat, HalfSlice, Tapered, None"), ("OverlapThreshold=7", "from 0 to 0.99"),
                        ("InternalPoints=maybe", "on or off"), ("Threads=1.5", "no whole number"),

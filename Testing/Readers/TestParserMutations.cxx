@@ -2,12 +2,18 @@
 // Files of others with bytes, numbers and pieces exchanged: whatever comes of it, a parser ends in a
 // sentence or in contours that hold together.
 #include "Readers/ReaderTesting.h"
+#include "Readers/TraceBuilder.h"
 
 #include "BRep/BRepParser.h"
 #include "CurveNetwork/CurveNetworkParser.h"
 #include "DICOM/DICOMText.h"
 #include "DICOM/StructureSetFile.h"
+#include "ImageJ/ImageJParser.h"
+#include "IMOD/IMODParser.h"
 #include "NUAGES/NUAGESParser.h"
+#include "Reconstruct/ReconstructParser.h"
+#include "SVG/SVGParser.h"
+#include "Table/ContourTableParser.h"
 
 #include <algorithm>
 #include <cmath>
@@ -232,4 +238,77 @@ TEST_F(ParserMutations, BReps)
     });
   EXPECT_GT(sentences, 0);
   EXPECT_LT(sentences, 500);
+}
+
+namespace
+{
+const std::vector<recon::Point3> Corners{ { 0, 0, 4 }, { 8, 0, 4 }, { 8, 8, 4 }, { 0, 8, 4 } };
+const std::string Model = tracebuilder::IMODHeader(2) + tracebuilder::IMODObject("axon", 2) +
+  tracebuilder::IMODContour(Corners) + tracebuilder::IMODContour(Corners, 8) +
+  tracebuilder::IMODObject("spots", 1, 512) + tracebuilder::IMODContour(Corners) + "IEOF";
+const std::string ROIs =
+  tracebuilder::ZIP({ { "a.roi", tracebuilder::ROI({ { 1, 2 }, { 5, 2 }, { 5, 9 } }, 3, "first") },
+    { "b.roi", tracebuilder::ROI({}, 0, "oval", 2, 4) } });
+const std::string Layers =
+  "<svg xmlns:i=\"http://www.inkscape.org/namespaces/inkscape\" width=\"9mm\" viewBox=\"0 0 9 9\">"
+  "<g i:groupmode=\"layer\" transform=\"rotate(9) scale(2)\"><path d=\"M1 1C2 3 4 5 6 7S9 9 8 8q1 "
+  "2 3 "
+  "4t5 6A1 2 3 0 1 9 9z\"/></g><g i:groupmode=\"layer\"><circle r=\"4\" i:label=\"a\"/></g></svg>";
+const std::string Rows = "object,slice,contour,x,y,z\na,1,1,0,0,0\na,1,1,1,0,0\na,1,1,1,1,0\n"
+                         "\"b, c\",2,1,0,0,1\n\"b, c\",2,1,1,0,1\n\"b, c\",2,1,1,1,1\n";
+}
+
+TEST_F(ParserMutations, Traces)
+{
+  const auto expectSound = [](const recon::TracedFile& file)
+  {
+    ExpectLines(file.Report);
+    for (const recon::TracedObject& object : file.Objects)
+    {
+      EXPECT_TRUE(recon::IsUTF8(object.Name)) << object.Name;
+      ExpectSound(object.Soup);
+      EXPECT_EQ(object.Slices.size(), object.Soup.Chains.size());
+      EXPECT_TRUE(object.Names.empty() || object.Names.size() == object.Soup.Chains.size());
+    }
+  };
+  const recon::SliceStack stack;
+  const std::vector<std::pair<std::string, std::function<recon::TracedFile(const std::string&)>>>
+    all{
+      { Model, [&](const std::string& name) { return recon::ReadIMOD(name, this->Monitor); } },
+      { ROIs,
+        [&](const std::string& name) { return recon::ReadImageJ(name, stack, this->Monitor); } },
+      { Layers,
+        [&](const std::string& name) { return recon::ReadSVG({ name }, stack, this->Monitor); } },
+      { Rows,
+        [&](const std::string& name)
+        { return recon::ReadContourTable(name, stack, this->Monitor); } },
+      { tracebuilder::JSONSeries,
+        [&](const std::string& name) { return recon::ReadReconstruct(name, this->Monitor); } },
+    };
+  for (const auto& [whole, read] : all)
+  {
+    const std::string fileName = this->Folder::Write("whole", whole);
+    const int sentences = this->Try(fileName, 400,
+      [&, &parse = read](const std::string& mutated) { expectSound(parse(mutated)); });
+    EXPECT_GT(sentences, 0);
+    EXPECT_LT(sentences, 400);
+  }
+}
+
+TEST_F(ParserMutations, Sections)
+{
+  this->Folder::Write(
+    "s.0", tracebuilder::SectionFile(0, tracebuilder::NoTransform, "0 0, 1 0, 1 1,"));
+  const std::string series = this->Folder::Write("s.ser", tracebuilder::SeriesFile);
+  const std::string section = tracebuilder::SectionFile(
+    1, "dim=\"6\" xcoef=\"0 1 .1 .1 .1 .1\" ycoef=\"0 0 1 .1 .1 .1\"", "0 0, 1 0, 1 1,");
+  for (unsigned int seed = 0; seed < 400; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    this->Folder::Write("s.1", Mutator(seed).Mutated(section));
+    const recon::TracedFile file = recon::ReadReconstruct(series, this->Monitor);
+    ExpectLines(file.Report);
+    ASSERT_FALSE(file.Objects.empty());
+    ExpectSound(file.Objects[0].Soup);
+  }
 }

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkTracedObjectsReader.h"
+
+#include "Common/TracedFile.h"
+#include "ContourConversion.h"
+#include "FieldArrays.h"
+#include "RunCore.h"
+#include "vtkContourAlgorithm.h"
+#include "vtkContourMonitor.h"
+
+#include "vtkCellData.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataArraySelection.h"
+#include "vtkErrorCode.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPartitionedDataSet.h"
+#include "vtkPartitionedDataSetCollection.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+
+vtkStandardNewMacro(vtkTracedObjectsReader);
+
+namespace
+{
+std::string TypeOf(const recon::LoopSoup::Chain& chain)
+{
+  return chain.Points.size() == 1 ? "POINT" : chain.Closed ? "CLOSED_PLANAR" : "OPEN_PLANAR";
+}
+
+void FillBlock(
+  const recon::TracedObject& object, int number, const std::string& unit, vtkPolyData* block)
+{
+  const std::vector<int> chains = recon::ToPolyData(object.Soup, block);
+  std::vector<std::string> types;
+  std::vector<std::string> names;
+  std::vector<int> slices;
+  for (const int chain : chains)
+  {
+    const auto i = static_cast<std::size_t>(chain);
+    types.push_back(TypeOf(object.Soup.Chains[i]));
+    slices.push_back(object.Slices[i]);
+    names.push_back(i < object.Names.size() ? object.Names[i] : std::string());
+  }
+  recon::AddArray(block->GetCellData(), "GeometricType", types);
+  recon::AddArray(block->GetCellData(), "Slice", slices);
+  if (!object.Names.empty())
+  {
+    recon::AddArray(block->GetCellData(), "Name", names);
+  }
+  vtkFieldData* field = block->GetFieldData();
+  recon::AddValue(field, "ROIName", object.Name);
+  recon::AddValue(field, "ROINumber", number);
+  if (object.HasColor)
+  {
+    recon::AddValue(field, "ROIColor", object.Color);
+  }
+  recon::AddValue(field, "LengthUnit", unit);
+}
+}
+
+vtkTracedObjectsReader::vtkTracedObjectsReader()
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+vtkTracedObjectsReader::~vtkTracedObjectsReader() = default;
+
+void vtkTracedObjectsReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileNames:";
+  for (const std::string& name : this->FileNames)
+  {
+    os << " " << name;
+  }
+  os << endl;
+  os << indent << "SliceSpacing: " << this->SliceSpacing << endl;
+  os << indent << "PixelSize: " << this->PixelSize << endl;
+  os << indent << "ObjectSelection:" << endl;
+  this->ObjectSelection->PrintSelf(os, indent.GetNextIndent());
+}
+
+void vtkTracedObjectsReader::SetFileName(const char* fileName)
+{
+  const std::vector<std::string> names =
+    fileName && *fileName ? std::vector<std::string>{ fileName } : std::vector<std::string>{};
+  if (names != this->FileNames)
+  {
+    this->FileNames = names;
+    this->Modified();
+  }
+}
+
+const char* vtkTracedObjectsReader::GetFileName()
+{
+  return this->FileNames.empty() ? nullptr : this->FileNames.front().c_str();
+}
+
+void vtkTracedObjectsReader::AddFileName(const char* fileName)
+{
+  if (fileName && *fileName)
+  {
+    this->FileNames.emplace_back(fileName);
+    this->Modified();
+  }
+}
+
+void vtkTracedObjectsReader::RemoveAllFileNames()
+{
+  this->FileNames.clear();
+  this->Modified();
+}
+
+vtkDataArraySelection* vtkTracedObjectsReader::GetObjectSelection()
+{
+  return this->ObjectSelection;
+}
+
+const char* vtkTracedObjectsReader::GetReport()
+{
+  this->ReportText = vtkContourAlgorithm::ReportOf(this);
+  return this->ReportText.c_str();
+}
+
+vtkMTimeType vtkTracedObjectsReader::GetMTime()
+{
+  return std::max(this->Superclass::GetMTime(), this->ObjectSelection->GetMTime());
+}
+
+recon::TracedFile vtkTracedObjectsReader::ReadObjects(
+  const std::vector<std::string>&, recon::Monitor&)
+{
+  throw recon::Error("This reader reads no format of its own; take the one of the program.");
+}
+
+int vtkTracedObjectsReader::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector*)
+{
+  // What is wrong with the file RequestData meets as well, and says once.
+  this->Listed.reset();
+  const recon::FileOutcome outcome =
+    recon::TryFile(this->GetFileName(), this->GetKind(), vtkErrorCode::FileFormatError,
+      [this]
+      {
+        vtkContourMonitor monitor(this);
+        this->Listed =
+          std::make_unique<recon::TracedFile>(this->ReadObjects(this->FileNames, monitor));
+      });
+  if (!outcome.IsWhole())
+  {
+    this->Listed.reset();
+    this->ObjectSelection->RemoveAllArrays();
+    return 1;
+  }
+  for (const recon::TracedObject& object : this->Listed->Objects)
+  {
+    this->ObjectSelection->AddArray(object.Name.c_str()); // keeps the setting of one that is there
+  }
+  return 1;
+}
+
+recon::TracedFile vtkTracedObjectsReader::TakeListed()
+{
+  if (this->Listed)
+  {
+    // Read once more next time: the file may have changed.
+    const std::unique_ptr<recon::TracedFile> listed = std::move(this->Listed);
+    return std::move(*listed);
+  }
+  vtkContourMonitor monitor(this);
+  return this->ReadObjects(this->FileNames, monitor);
+}
+
+void vtkTracedObjectsReader::FillOutput(const recon::TracedFile& file, vtkDataObject* data)
+{
+  auto* output = vtkPartitionedDataSetCollection::SafeDownCast(data);
+  unsigned int block = 0;
+  int number = 0;
+  for (const recon::TracedObject& object : file.Objects)
+  {
+    ++number;
+    if (!this->ObjectSelection->ArrayIsEnabled(object.Name.c_str()))
+    {
+      continue;
+    }
+    vtkNew<vtkPolyData> contours;
+    FillBlock(object, number, file.LengthUnit, contours);
+    output->SetPartition(block, 0, contours);
+    output->GetMetaData(block)->Set(vtkCompositeDataSet::NAME(), object.Name.c_str());
+    ++block;
+  }
+  recon::AddValue(output->GetFieldData(), "LengthUnit", file.LengthUnit);
+  recon::SetReport(file.Report, output);
+}
+
+int vtkTracedObjectsReader::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  vtkDataObject* output = vtkDataObject::GetData(outputVector);
+  this->ErrorCode =
+    recon::RunOnFile(this, this->GetFileName(), this->GetKind(), vtkErrorCode::FileFormatError,
+      { output }, [&] { this->FillOutput(this->TakeListed(), output); });
+  return 1;
+}
