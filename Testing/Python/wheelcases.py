@@ -78,7 +78,7 @@ def through_pyvista():
     import pyvista as pv
     assert "contour_reconstruction" not in sys.modules
     sphere = pv.Sphere(theta_resolution=40, phi_resolution=40)
-    slices = sphere.slice_along_axis(12, "z").combine().extract_geometry()
+    slices = sphere.slice_along_axis(12, "z").combine().extract_surface(algorithm=None)
     surface = slices.contours.polyhedral_surface(EndCaps="Flat")
     assert surface.n_open_edges == 0, "the surface of the slices is open"
     assert surface.contours.certificate(slices).sound
