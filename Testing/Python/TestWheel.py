@@ -6,7 +6,8 @@
 Builds the wheel (`./run wheel`), installs it (a) with numpy alone and (b) with the newest PyVista, from PyPI; skipped
 where that cannot be reached. In (a) the script of ten lines that Documentation/python.md shows makes a closed brain, in at most
 a minute from the beginning of pip's work; what the package makes there has, array for array, the bytes of what the
-nodes make here. In (b) PyVista finds the accessor without an import.
+nodes make here. In (b) PyVista finds the accessor without an import. And ParaView without the compiled plugin has the nodes
+of Plugin/python/contour_nodes.py, which make the same.
 """
 import collections
 import os
@@ -130,6 +131,8 @@ def nodes_make():
         result[f"branching_pipe.cnt joins/rows/{name}"] = column
     add("branching_pipe.cnt mapped", simple.PolyhedralSurface(Input=mapping))
     add("branching_pipe.cnt implicit", simple.ImplicitSurface(Input=pipe))
+    add("branching_pipe.cnt nodes", simple.PolyhedralSurface(Input=pipe))
+    add("branching_pipe.cnt nodes flat", simple.PolyhedralSurface(Input=pipe, EndCaps="Flat"))
     add("tamarind.csl implicit", simple.ImplicitSurface(Input=seed, Detail="Medium"))
     fit = simple.ImplicitFunction(Input=simple.ImplicitConstraints(Input=pipe))
     add("branching_pipe.cnt traced", simple.ImplicitContours(Input=fit, Spacing=0.7))
@@ -172,6 +175,20 @@ def compare(file, nodes, least):
         print("not compared:", ", ".join(sorted(set(package.files) - set(names))[:20]))
 
 
+def check_python_nodes(wheel, nodes):
+    """The plugin of one Python file, in a ParaView without the compiled one."""
+    folder = os.path.join(PLACE, "target")
+    shutil.rmtree(folder, ignore_errors=True)
+    done = run(shutil.which("python3"), "-m", "pip", "install", "--quiet", "--no-deps", "--target", folder, wheel)
+    ct.check(done.returncode == 0, f"pip install --target: {done.stderr[-400:]}")
+    environment = {**clean_environment(), "PYTHONPATH": HERE}
+    done = subprocess.run([shutil.which("pvpython"), "--force-offscreen-rendering",
+                           os.path.join(HERE, "TestPythonNodes.py"), folder], env=environment, capture_output=True,
+                          text=True, timeout=600)
+    ct.check(done.returncode == 0, f"TestPythonNodes.py: {done.stdout}{done.stderr}")
+    compare(ct.output("python_nodes.npz"), nodes, 6)
+
+
 def main():
     wheel = build()
     if not wheel:
@@ -195,6 +212,7 @@ def main():
     done = run(python, os.path.join(HERE, "wheelcases.py"), result, ct.SOURCE, SHARED)
     ct.check(done.returncode == 0, f"wheelcases.py: {done.stdout}{done.stderr}")
     compare(result, nodes, 100)
+    check_python_nodes(wheel, nodes)
 
     python, _ = environment("pyvista", wheel, "pyvista")
     result = os.path.join(PLACE, "pyvista.npz")

@@ -272,6 +272,14 @@ def surface_of(surface: SurfaceLike) -> tuple[Array, Array, float]:
     return places, corners, float(np.finfo(np.float32).eps) * largest
 
 
+def check_no_surface(polygons: Sequence[Array]) -> None:
+    """An Error where two polygons have an edge in common, as contours do not."""
+    edges = [np.sort(np.column_stack((cell, np.roll(cell, -1))), axis=1) for cell in polygons]
+    every = np.concatenate(edges) if edges else np.empty((0, 2))
+    if len(np.unique(every, axis=0)) < len(every):
+        raise Error("The input is a surface, not contours: cut it with Slice first.")
+
+
 def _ints(values: Any) -> Array:
     return np.ascontiguousarray(values, dtype=np.int32)
 

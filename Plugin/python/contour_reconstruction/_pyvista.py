@@ -11,10 +11,7 @@ import pyvista
 
 from . import _methods
 from ._core import Error
-from ._data import Certificate, ContourMapping, Contours, ContourWarning, Surface
-
-SURFACE_SENTENCE = "The input is a surface, not contours: cut it with slice() first."
-
+from ._data import Certificate, ContourMapping, Contours, ContourWarning, Surface, check_no_surface
 
 def _text(values: Any) -> Any:
     """Texts as a list, numbers as an array."""
@@ -32,15 +29,6 @@ def _cells(flat: Any) -> list[Any]:
     return cells
 
 
-def _is_surface(polygons: list[Any]) -> bool:
-    """Whether two polygons have an edge in common, as contours do not."""
-    edges = [np.sort(np.column_stack((cell, np.roll(cell, -1))), axis=1) for cell in polygons]
-    if len(edges) < 2:
-        return False
-    every = np.concatenate(edges)
-    return len(np.unique(every, axis=0)) < len(every)
-
-
 def contours_from_pyvista(mesh: pyvista.PolyData) -> Contours:
     """Vertices, lines and polygons of poly data as loops, in the order of its cells.
 
@@ -55,8 +43,7 @@ def contours_from_pyvista(mesh: pyvista.PolyData) -> Contours:
         Where the mesh is a surface.
     """
     vertices, lines, polygons = (_cells(flat) for flat in (mesh.verts, mesh.lines, mesh.faces))
-    if _is_surface(polygons):
-        raise Error(SURFACE_SENTENCE)
+    check_no_surface(polygons)
     # A vertex cell of many points is a loop a point, all of one cell.
     cells = [(cell[i:i + 1], number) for number, cell in enumerate(vertices) for i in range(len(cell))]
     cells += [(cell, len(vertices) + number) for number, cell in enumerate(lines + polygons)]
