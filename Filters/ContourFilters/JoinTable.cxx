@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "JoinTable.h"
 
-#include "Base/Text.h"
+#include "Contours/CarriedMapping.h"
+#include "Contours/JoinExplanation.h"
 #include "FieldArrays.h"
 
 #include "vtkCellData.h"
@@ -14,11 +15,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <optional>
-#include <set>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace recon
@@ -43,69 +41,15 @@ std::optional<int> IntOf(vtkTable* table, vtkIdType row, const char* column)
   return static_cast<int>(number);
 }
 
-std::string ContoursOf(const ContourMapping& mapping, int region)
+/// Whole numbers of any array; none where there is no array.
+std::vector<int> NumbersOf(vtkDataArray* array)
 {
-  if (region < 0)
+  std::vector<int> numbers;
+  for (vtkIdType i = 0; array && i < array->GetNumberOfTuples(); ++i)
   {
-    return {};
+    numbers.push_back(static_cast<int>(array->GetTuple1(i)));
   }
-  const ContourRegion& r = mapping.Regions[static_cast<std::size_t>(region)];
-  std::string text = std::to_string(r.Wall);
-  for (int hole : r.Holes)
-  {
-    text += " " + std::to_string(hole);
-  }
-  return text;
-}
-
-std::string RuleOf(const ContourJoin& join)
-{
-  switch (join.Rule)
-  {
-    case ContourJoin::ByOverlap:
-      return "Overlap";
-    case ContourJoin::Forced:
-      return "Forced";
-    case ContourJoin::Forbidden:
-      return "Forbidden";
-    case ContourJoin::GapTooWide:
-      return "Gap too wide";
-    case ContourJoin::ByDistance:
-      return "Distance";
-    case ContourJoin::NoPartner:
-      return "No partner";
-    case ContourJoin::InternalWall:
-      return "Internal wall " + std::to_string(join.InternalWallRule);
-  }
-  return {};
-}
-
-/// Which contour of the set each contour of the input has become.
-std::map<int, int> ContoursByInputId(vtkDataArray* ids, const ContourSet& contours)
-{
-  std::map<int, int> contourOf;
-  for (std::size_t c = 0; c < contours.Contours.size(); ++c)
-  {
-    const int source = contours.Contours[c].Source;
-    if (source >= 0 && source < ids->GetNumberOfTuples())
-    {
-      contourOf.emplace(static_cast<int>(ids->GetTuple1(source)), static_cast<int>(c));
-    }
-  }
-  return contourOf;
-}
-
-std::set<std::pair<int, int>> NamedPairs(const ContourMappingOptions& options)
-{
-  std::set<std::pair<int, int>> pairs;
-  for (const auto* list : { &options.ForcedJoins, &options.ForbiddenJoins })
-  {
-    for (const std::pair<int, int>& pair : *list)
-    {
-      pairs.insert(std::minmax(pair.first, pair.second));
-    }
-  }
-  return pairs;
+  return numbers;
 }
 }
 
@@ -160,14 +104,14 @@ void WriteJoins(const ContourMapping& mapping, vtkTable* table)
   add("LowerContour", [](const ContourJoin& join) { return join.LowerRegion; });
   add("UpperContour", [](const ContourJoin& join) { return join.UpperRegion; });
   add("LowerContours",
-    [&](const ContourJoin& join) { return ContoursOf(mapping, join.LowerRegion); });
+    [&](const ContourJoin& join) { return RegionContours(mapping, join.LowerRegion); });
   add("UpperContours",
-    [&](const ContourJoin& join) { return ContoursOf(mapping, join.UpperRegion); });
+    [&](const ContourJoin& join) { return RegionContours(mapping, join.UpperRegion); });
   add("OverlapArea", [](const ContourJoin& join) { return join.OverlapArea; });
   add("LowerRatio", [](const ContourJoin& join) { return join.LowerRatio; });
   add("UpperRatio", [](const ContourJoin& join) { return join.UpperRatio; });
   add("Solid", isSolid);
-  add("Rule", [](const ContourJoin& join) { return RuleOf(join); });
+  add("Rule", [](const ContourJoin& join) { return RuleName(join); });
   add("Joined", [](const ContourJoin& join) { return join.Joined ? 1 : 0; });
   add("Words", [](const ContourJoin& join) { return join.Words; });
   // A spreadsheet shows columns by name: the sentence under a name that comes first.
@@ -200,35 +144,12 @@ std::string ReadMapping(
   vtkDataArray* lower = data->GetArray("JoinLower");
   vtkDataArray* upper = data->GetArray("JoinUpper");
   vtkDataArray* joined = data->GetArray("JoinJoined");
-  vtkDataArray* ids = input->GetCellData()->GetArray("ContourId");
   if (!lower || !upper || !joined)
   {
     return {};
   }
-  const vtkIdType count = lower->GetNumberOfTuples();
-  if (!ids || upper->GetNumberOfTuples() != count || joined->GetNumberOfTuples() != count)
-  {
-    return "The mapping that came with the contours is not followed: their ContourId is missing.";
-  }
-  const std::map<int, int> contourOf = ContoursByInputId(ids, contours);
-  const std::set<std::pair<int, int>> own = NamedPairs(options);
-  int followed = 0;
-  int forbidden = 0;
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    const auto a = contourOf.find(static_cast<int>(lower->GetTuple1(i)));
-    const auto b = contourOf.find(static_cast<int>(upper->GetTuple1(i)));
-    if (a == contourOf.end() || b == contourOf.end() ||
-      own.count(std::minmax(a->second, b->second)) > 0)
-    {
-      continue;
-    }
-    const bool isJoined = joined->GetTuple1(i) != 0;
-    (isJoined ? options.ForcedJoins : options.ForbiddenJoins).emplace_back(a->second, b->second);
-    (isJoined ? followed : forbidden)++;
-  }
-  return "The mapping that came with the contours is followed: " + Counted(followed, "join") +
-    ", and " + Counted(forbidden, "pair") + " that " + (forbidden == 1 ? "is" : "are") +
-    " not joined.";
+  return FollowMapping({ NumbersOf(lower), NumbersOf(upper), NumbersOf(joined),
+                         NumbersOf(input->GetCellData()->GetArray("ContourId")) },
+    contours, options);
 }
 }

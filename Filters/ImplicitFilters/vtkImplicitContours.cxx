@@ -21,17 +21,16 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 
 vtkStandardNewMacro(vtkImplicitContours);
 
 namespace
 {
-/// 0 as Spacing asks for this many intervals.
-constexpr double AutomaticIntervals = 20;
-
 /// So near to the outermost contour points, as a part of the planes' distance, a plane that tells no
 /// tolerance of its own is theirs.
 constexpr double BesideContours = 0.05;
@@ -136,22 +135,12 @@ std::vector<recon::TracePlane> RangeOf(
 {
   recon::Vector3 normal{};
   std::copy_n(filter->GetPlaneNormal(), 3, normal.begin());
-  const recon::PlanarFrame frame = recon::FrameAbout(normal);
-  double from = filter->GetRange()[0];
-  double to = filter->GetRange()[1];
-  if (!filter->GetUseRange())
+  std::optional<std::array<double, 2>> range;
+  if (filter->GetUseRange())
   {
-    from = std::numeric_limits<double>::infinity();
-    to = -from;
-    for (const recon::Point3& seed : seeds)
-    {
-      from = std::min(from, frame.OffsetOf(seed));
-      to = std::max(to, frame.OffsetOf(seed));
-    }
+    range = { filter->GetRange()[0], filter->GetRange()[1] };
   }
-  const double asked = filter->GetSpacing();
-  return recon::ParallelPlanes(
-    normal, from, to, asked == 0 ? (to - from) / AutomaticIntervals : asked);
+  return recon::ParallelPlanesThrough(seeds, normal, range, filter->GetSpacing());
 }
 
 std::vector<recon::TracePlane> PlanesOf(

@@ -3,6 +3,7 @@
 
 #include "ContourConversion.h"
 #include "FieldArrays.h"
+#include "Polyhedral/LeftOut.h"
 #include "Polyhedral/PolyhedralSurface.h"
 #include "RunCore.h"
 #include "vtkContourMonitor.h"
@@ -14,8 +15,6 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkTable.h"
-
-#include <algorithm>
 
 vtkStandardNewMacro(vtkPolyhedralSurface);
 
@@ -35,28 +34,6 @@ void AddStages(const std::vector<std::pair<std::string, double>>& stages, vtkFie
   }
   recon::AddArray(data, "StageName", names);
   recon::AddArray(data, "StageSeconds", seconds);
-}
-
-/// Contours of which not one point is a point of the surface.
-std::size_t CountLeftOut(const recon::ContourSet& contours, const recon::TriangleMesh& mesh)
-{
-  std::vector<recon::Point3> points = mesh.Points;
-  std::sort(points.begin(), points.end());
-  const auto isInSurface = [&](int p)
-  { return std::binary_search(points.begin(), points.end(), contours.Points[p]); };
-  return std::count_if(contours.Contours.begin(), contours.Contours.end(),
-    [&](const recon::Contour& c)
-    { return std::none_of(c.Points.begin(), c.Points.end(), isInSurface); });
-}
-
-/// Nothing is ever an empty surface without an error.
-void CheckNotEmpty(const recon::PolyhedralSurface& surface, const std::vector<std::string>& report)
-{
-  if (surface.Mesh.Triangles.empty())
-  {
-    throw recon::Error(
-      "No surface came out: " + (report.empty() ? "no contour has a partner." : report.back()));
-  }
 }
 
 void FillOutput(
@@ -96,9 +73,9 @@ int vtkPolyhedralSurface::RequestData(
       const recon::PolyhedralSurface surface =
         recon::BuildPolyhedralSurface(contours, options, building);
       report.insert(report.end(), surface.Report.begin(), surface.Report.end());
-      CheckNotEmpty(surface, report);
+      recon::CheckNotEmpty(surface.Mesh, report);
       FillOutput(contours, surface, output);
-      const std::size_t leftOut = CountLeftOut(contours, surface.Mesh);
+      const std::size_t leftOut = recon::CountLeftOut(contours, surface.Mesh);
       recon::AddValue(output->GetFieldData(), "LeftOutCount", leftOut);
       if (leftOut > WarnBeyond * contours.Contours.size())
       {

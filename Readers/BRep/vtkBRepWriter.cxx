@@ -2,10 +2,10 @@
 #include "vtkBRepWriter.h"
 
 #include "Base/SubMonitor.h"
+#include "BRep/BRepContours.h"
 #include "BRep/BRepFormatter.h"
 #include "Common/RegionFiles.h"
 #include "ContourConversion.h"
-#include "Contours/ContourChaining.h"
 #include "RunCore.h"
 #include "SurfaceBlocks.h"
 #include "vtkContourMonitor.h"
@@ -22,17 +22,6 @@ vtkStandardNewMacro(vtkBRepWriter);
 
 namespace
 {
-recon::SpaceLoop InSpace(const recon::LoopSoup& soup, const std::vector<int>& points)
-{
-  recon::SpaceLoop loop;
-  for (const int point : points)
-  {
-    loop.push_back(soup.Points[point]);
-  }
-  return loop;
-}
-
-/// Closed loops as they are, then what loose pieces chain to. Vertices alone are no contours.
 void AppendLoops(
   vtkPolyData* contours, std::vector<recon::SpaceLoop>& loops, recon::Monitor& monitor)
 {
@@ -40,30 +29,9 @@ void AppendLoops(
   {
     return;
   }
-  recon::LoopSoup soup = recon::ToLoopSoup(contours).Soup;
-  recon::LoopSoup pieces;
-  for (recon::LoopSoup::Chain& chain : soup.Chains)
-  {
-    if (chain.Closed)
-    {
-      loops.push_back(InSpace(soup, chain.Points));
-    }
-    else if (chain.Points.size() > 1)
-    {
-      pieces.Chains.push_back(std::move(chain));
-    }
-  }
-  if (pieces.Chains.empty())
-  {
-    return;
-  }
-  pieces.Points = std::move(soup.Points);
-  recon::ContourNotes notes(pieces);
-  const recon::ChainedRings chained = recon::ChainRings(pieces, 0, notes, monitor);
-  for (const recon::Ring& ring : chained.Rings)
-  {
-    loops.push_back(InSpace(pieces, ring.Points));
-  }
+  const std::vector<recon::SpaceLoop> closed =
+    recon::ClosedSpaceLoops(recon::ToLoopSoup(contours).Soup, monitor);
+  loops.insert(loops.end(), closed.begin(), closed.end());
 }
 
 std::vector<recon::SpaceLoop> LoopsOf(

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkRTStructureSetWriter.h"
 
-#include "Common/ClosedLoops.h"
 #include "ContourConversion.h"
-#include "Contours/ContourSetBuilder.h"
-#include "DICOM/Keyholes.h"
+#include "DICOM/ROIContours.h"
 #include "DICOM/StructureSetFormatter.h"
 #include "RunCore.h"
 #include "vtkContourMonitor.h"
@@ -130,151 +128,36 @@ bool IsSurface(vtkPolyData* data)
   return false;
 }
 
-recon::WrittenContour ContourOf(
-  const recon::LoopSoup& soup, const recon::LoopSoup::Chain& chain, const std::string& type)
+/// The lines and points of poly data, and what the cell array GeometricType says of them.
+recon::ROIPiece PieceOf(vtkPolyData* data)
 {
-  recon::WrittenContour contour;
-  contour.GeometricType = type;
-  contour.Where = "cell " + std::to_string(chain.Source);
-  for (const int p : chain.Points)
+  recon::ConvertedLoops converted = recon::ToLoopSoup(data);
+  recon::ROIPiece piece;
+  piece.Soup = std::move(converted.Soup);
+  piece.Report = std::move(converted.Report);
+  piece.OnlyVertices = data->GetNumberOfCells() == data->GetNumberOfVerts();
+  auto* types =
+    vtkStringArray::SafeDownCast(data->GetCellData()->GetAbstractArray("GeometricType"));
+  for (vtkIdType i = 0; types && i < types->GetNumberOfValues(); ++i)
   {
-    contour.Points.push_back(soup.Points[static_cast<std::size_t>(p)]);
+    piece.GeometricTypes.push_back(types->GetValue(i));
   }
-  return contour;
+  return piece;
 }
 
-/// Contours of a piece, in the order of its cells.
-class ContourCollector
+void Collect(vtkPolyData* data, recon::ROIContours& contours, recon::WrittenROI& roi)
 {
-public:
-  ContourCollector(bool keyholes, std::vector<std::string>& report, recon::Monitor& monitor)
-    : Keyholes(keyholes),
-      Report(report),
-      Monitor(monitor)
-  {
-  }
-
-  void Collect(vtkPolyData* piece, recon::WrittenROI& roi);
-
-private:
-  bool IsPoint(const std::string& type) const
-  {
-    return type == "POINT" || (type.empty() && this->OnlyVertices);
-  }
-  void Add(int cell, recon::WrittenContour contour)
-  {
-    this->Contours.emplace_back(cell, std::move(contour));
-  }
-  void Sort(recon::LoopSoup& soup, vtkStringArray* types);
-  void AddClosed(const recon::LoopSoup& closed);
-  void AddKeyholes(const recon::LoopSoup& closed, const std::string& where);
-
-  const bool Keyholes;
-  std::vector<std::string>& Report;
-  recon::Monitor& Monitor;
-  bool OnlyVertices = false;
-  std::vector<std::pair<int, recon::WrittenContour>> Contours;
-};
-
-/// Takes points and open lines out of the soup, whose rest is or becomes closed.
-void ContourCollector::Sort(recon::LoopSoup& soup, vtkStringArray* types)
-{
-  std::vector<recon::LoopSoup::Chain> rest;
-  for (recon::LoopSoup::Chain& chain : soup.Chains)
-  {
-    const std::string type = types && chain.Source < types->GetNumberOfValues()
-      ? std::string(types->GetValue(chain.Source))
-      : std::string();
-    const bool isOpenLine = type == "OPEN_PLANAR" || type == "OPEN_NONPLANAR";
-    if (!chain.Closed && chain.Points.size() == 1 && this->IsPoint(type))
-    {
-      this->Add(chain.Source, ContourOf(soup, chain, "POINT"));
-    }
-    else if (!chain.Closed && isOpenLine)
-    {
-      this->Add(chain.Source, ContourOf(soup, chain, type));
-    }
-    else
-    {
-      rest.push_back(std::move(chain));
-    }
-  }
-  soup.Chains = std::move(rest);
-}
-
-void ContourCollector::AddClosed(const recon::LoopSoup& closed)
-{
-  for (const recon::LoopSoup::Chain& chain : closed.Chains)
-  {
-    this->Add(chain.Source,
-      ContourOf(closed, chain, chain.ExclusiveOr ? "CLOSEDPLANAR_XOR" : "CLOSED_PLANAR"));
-  }
-}
-
-void ContourCollector::AddKeyholes(const recon::LoopSoup& closed, const std::string& where)
-{
-  recon::ContourSetOptions options;
-  options.Parallel = false;
-  const recon::ContourSet set = recon::BuildContourSet(closed, options, this->Monitor);
-  for (recon::KeyholeContour& keyhole : recon::JoinHoles(set))
-  {
-    recon::WrittenContour contour;
-    contour.Points = std::move(keyhole.Points);
-    contour.GeometricType = "CLOSED_PLANAR";
-    contour.Where = "cell " + std::to_string(keyhole.Source);
-    this->Add(keyhole.Source, std::move(contour));
-  }
-  for (const std::string& line : set.Report)
-  {
-    this->Report.push_back(where + ": " + line);
-  }
-}
-
-void ContourCollector::Collect(vtkPolyData* piece, recon::WrittenROI& roi)
-{
-  if (piece->GetNumberOfCells() == 0)
+  if (data->GetNumberOfCells() == 0)
   {
     return;
   }
-  const std::string where = "ROI \"" + roi.Description.Name + "\"";
-  if (IsSurface(piece))
+  if (IsSurface(data))
   {
-    throw recon::Error(where +
-      " is a surface, and a structure set holds contours: cut it by "
+    throw recon::Error("ROI \"" + roi.Description.Name +
+      "\" is a surface, and a structure set holds contours: cut it by "
       "Slice, or take Implicit Contours on the planes of the images.");
   }
-  this->Contours.clear();
-  this->OnlyVertices = piece->GetNumberOfCells() == piece->GetNumberOfVerts();
-  recon::ConvertedLoops converted = recon::ToLoopSoup(piece);
-  this->Sort(converted.Soup,
-    vtkStringArray::SafeDownCast(piece->GetCellData()->GetAbstractArray("GeometricType")));
-  int looseVertices = 0;
-  const recon::LoopSoup closed = recon::CloseLoops(std::move(converted.Soup),
-    where + ", where the cell array GeometricType does not say OPEN_PLANAR, holds", looseVertices,
-    this->Monitor);
-  if (this->Keyholes && !closed.Chains.empty())
-  {
-    this->AddKeyholes(closed, where);
-  }
-  else
-  {
-    this->AddClosed(closed);
-  }
-  std::stable_sort(this->Contours.begin(), this->Contours.end(),
-    [](const auto& a, const auto& b) { return a.first < b.first; });
-  for (auto& contour : this->Contours)
-  {
-    roi.Contours.push_back(std::move(contour.second));
-  }
-  for (const std::string& line : converted.Report)
-  {
-    this->Report.push_back(where + ": " + line);
-  }
-  if (looseVertices > 0)
-  {
-    this->Report.push_back(
-      where + ": " + std::to_string(looseVertices) + " loose vertices are no contours; left out.");
-  }
+  contours.Collect(PieceOf(data), roi);
 }
 
 std::string FieldText(vtkPolyData* data, const char* name)
@@ -337,7 +220,7 @@ std::vector<recon::WrittenROI> ROIsOf(
       " blocks: pick one by Extract Block, or leave it empty.");
   }
   const bool keyholes = writer->GetHoles() == vtkRTStructureSetWriter::Keyholes;
-  ContourCollector collector(keyholes, report, monitor);
+  recon::ROIContours contours(keyholes, report, monitor);
   std::vector<recon::WrittenROI> rois;
   for (const Block& block : blocks)
   {
@@ -346,7 +229,7 @@ std::vector<recon::WrittenROI> ROIsOf(
     roi.Description.Type = type.empty() ? roi.Description.Type : type;
     for (vtkPolyData* piece : block.Pieces)
     {
-      collector.Collect(piece, roi);
+      Collect(piece, contours, roi);
     }
     rois.push_back(std::move(roi));
   }

@@ -55,6 +55,20 @@ Loop CheckedLoop(const LoopSoup& soup, int number, double tolerance)
   return loop;
 }
 
+/// Of a loop seen from +z, in square units: positive where it runs counterclockwise.
+double SignedAreaInXY(const LoopSoup& soup, const std::vector<int>& loop)
+{
+  double twice = 0;
+  const Point3& origin = soup.Points[loop.front()];
+  for (std::size_t i = 0; i < loop.size(); ++i)
+  {
+    const Vector3 a = soup.Points[loop[i]] - origin;
+    const Vector3 b = soup.Points[loop[(i + 1) % loop.size()]] - origin;
+    twice += a[0] * b[1] - a[1] * b[0];
+  }
+  return twice / 2;
+}
+
 bool IsExactlyAt(const LoopSoup& soup, const Loop& loop, double z)
 {
   return std::all_of(
@@ -162,5 +176,22 @@ std::vector<std::string> WriteNUAGES(
   Formatter formatter(loops, monitor);
   WriteTextFile(fileName, formatter.Format());
   return formatter.Report;
+}
+
+void OrientByDepth(const std::vector<int>& depths, LoopSoup& loops)
+{
+  for (LoopSoup::Chain& chain : loops.Chains)
+  {
+    if (chain.Source < 0 || chain.Source >= static_cast<int>(depths.size()) || chain.Points.empty())
+    {
+      continue;
+    }
+    const bool isHole = depths[chain.Source] % 2 != 0;
+    const double area = SignedAreaInXY(loops, chain.Points);
+    if (isHole ? area < 0 : area > 0)
+    {
+      std::reverse(chain.Points.begin() + 1, chain.Points.end());
+    }
+  }
 }
 }

@@ -10,6 +10,7 @@
 #include "Common/ContourFile.h"
 
 #include <string>
+#include <vector>
 
 namespace recon
 {
@@ -27,6 +28,14 @@ namespace recon
  */
 std::vector<std::string> WriteNUAGES(
   const std::string& fileName, const LoopSoup& loops, Monitor& monitor);
+
+/**
+ * The format's convention, seen from +z: outer contours clockwise, holes counterclockwise.
+ *
+ * @param depths of every cell of the input (Chain::Source) in the tree of nesting; empty leaves all
+ * loops as they are
+ */
+void OrientByDepth(const std::vector<int>& depths, LoopSoup& loops);
 }
 
 #endif

@@ -16,8 +16,8 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
-#include <algorithm>
 #include <utility>
+#include <vector>
 
 vtkStandardNewMacro(vtkNUAGESWriter);
 
@@ -60,38 +60,16 @@ vtkPolyData* ContoursOf(vtkDataObject* input)
   return found;
 }
 
-double SignedAreaInXY(const recon::LoopSoup& soup, const std::vector<int>& loop)
+/// The depth of every cell in the tree of nesting; empty where the input does not tell.
+std::vector<int> DepthsOf(vtkPolyData* input)
 {
-  using recon::operator-;
-  double twice = 0;
-  const recon::Point3& origin = soup.Points[static_cast<std::size_t>(loop.front())];
-  for (std::size_t i = 0; i < loop.size(); ++i)
+  std::vector<int> depths;
+  vtkDataArray* array = input->GetCellData()->GetArray("Depth");
+  for (vtkIdType i = 0; array && i < array->GetNumberOfTuples(); ++i)
   {
-    const recon::Vector3 a = soup.Points[static_cast<std::size_t>(loop[i])] - origin;
-    const recon::Vector3 b =
-      soup.Points[static_cast<std::size_t>(loop[(i + 1) % loop.size()])] - origin;
-    twice += a[0] * b[1] - a[1] * b[0];
+    depths.push_back(static_cast<int>(array->GetTuple1(i)));
   }
-  return twice / 2;
-}
-
-/// The format's convention, seen from +z: outer contours clockwise, holes counterclockwise.
-void OrientByDepth(vtkPolyData* input, recon::LoopSoup& soup)
-{
-  vtkDataArray* depth = input->GetCellData()->GetArray("Depth");
-  if (!depth)
-  {
-    return;
-  }
-  for (recon::LoopSoup::Chain& chain : soup.Chains)
-  {
-    const bool isHole = static_cast<int>(depth->GetTuple1(chain.Source)) % 2 != 0;
-    const double area = SignedAreaInXY(soup, chain.Points);
-    if (isHole ? area < 0 : area > 0)
-    {
-      std::reverse(chain.Points.begin() + 1, chain.Points.end());
-    }
-  }
+  return depths;
 }
 }
 
@@ -137,7 +115,7 @@ void vtkNUAGESWriter::WriteData()
         report.push_back(
           std::to_string(looseVertices) + " loose vertices are no contours; left out.");
       }
-      OrientByDepth(input, closed);
+      recon::OrientByDepth(DepthsOf(input), closed);
       const std::vector<std::string> moved = recon::WriteNUAGES(this->FileName, closed, monitor);
       report.insert(report.end(), moved.begin(), moved.end());
       for (const std::string& line : report)

@@ -182,4 +182,41 @@ std::string DescribeJoin(const ContourSet& contours, const ContourMapping& mappi
 {
   return Describer(contours, mapping, join, context).Describe();
 }
+
+std::string RuleName(const ContourJoin& join)
+{
+  switch (join.Rule)
+  {
+    case ContourJoin::ByOverlap:
+      return "Overlap";
+    case ContourJoin::Forced:
+      return "Forced";
+    case ContourJoin::Forbidden:
+      return "Forbidden";
+    case ContourJoin::GapTooWide:
+      return "Gap too wide";
+    case ContourJoin::ByDistance:
+      return "Distance";
+    case ContourJoin::NoPartner:
+      return "No partner";
+    case ContourJoin::InternalWall:
+      return "Internal wall " + std::to_string(join.InternalWallRule);
+  }
+  return {};
+}
+
+std::string RegionContours(const ContourMapping& mapping, int region)
+{
+  if (region < 0)
+  {
+    return {};
+  }
+  const ContourRegion& r = mapping.Regions[static_cast<std::size_t>(region)];
+  std::string text = std::to_string(r.Wall);
+  for (int hole : r.Holes)
+  {
+    text += " " + std::to_string(hole);
+  }
+  return text;
+}
 }

@@ -29,6 +29,12 @@ std::string PlaceOf(const Level& level);
 /// One sentence: which contours, joined or not, and why.
 std::string DescribeJoin(const ContourSet& contours, const ContourMapping& mapping,
   const ContourJoin& join, const JoinContext& context);
+
+/// What decided, in a word or two: "Overlap", "Gap too wide", "Internal wall 2".
+std::string RuleName(const ContourJoin& join);
+
+/// The contours around a region: its wall, then the walls directly inside it; empty for region -1.
+std::string RegionContours(const ContourMapping& mapping, int region);
 }
 
 #endif

@@ -130,4 +130,23 @@ void ReportContoursLeftOut(const ContourSet& contours, const std::vector<LevelSt
     }
   }
 }
+
+std::size_t CountLeftOut(const ContourSet& contours, const TriangleMesh& mesh)
+{
+  std::vector<Point3> points = mesh.Points;
+  std::sort(points.begin(), points.end());
+  const auto isInSurface = [&](int p)
+  { return std::binary_search(points.begin(), points.end(), contours.Points[p]); };
+  return std::count_if(contours.Contours.begin(), contours.Contours.end(),
+    [&](const Contour& c) { return std::none_of(c.Points.begin(), c.Points.end(), isInSurface); });
+}
+
+void CheckNotEmpty(const TriangleMesh& mesh, const std::vector<std::string>& report)
+{
+  if (mesh.Triangles.empty())
+  {
+    throw Error(
+      "No surface came out: " + (report.empty() ? "no contour has a partner." : report.back()));
+  }
+}
 }

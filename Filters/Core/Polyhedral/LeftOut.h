@@ -7,10 +7,12 @@
 #define recon_LeftOut_h
 
 #include "Contours/ContourMapping.h"
+#include "Mesh/TriangleMesh.h"
 #include "Polyhedral/LevelState.h"
 #include "Polyhedral/PolyhedralOptions.h"
 #include "Polyhedral/SlabState.h"
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -23,6 +25,12 @@ void ReportJoinsNotMade(const ContourMapping& mapping, const std::vector<LevelSt
 /// A line for every contour of isolated regions, unless these are extruded.
 void ReportContoursLeftOut(const ContourSet& contours, const std::vector<LevelState>& levels,
   const PolyhedralOptions& options, std::vector<std::string>& report);
+
+/// Contours of which not one point is a point of the surface.
+std::size_t CountLeftOut(const ContourSet& contours, const TriangleMesh& mesh);
+
+/// Nothing is ever an empty surface without an error. @throws Error with the last line of report.
+void CheckNotEmpty(const TriangleMesh& mesh, const std::vector<std::string>& report);
 }
 
 #endif

@@ -18,6 +18,9 @@ namespace recon
 {
 namespace
 {
+/// Where a spacing of 0 asks for planes, there are this many intervals.
+constexpr double AutomaticIntervals = 20;
+
 /// Roots nearer to the one before than this part of a cell are left out: they say nothing but make
 /// slivers.
 constexpr double NearRoots = 0.05;
@@ -420,6 +423,26 @@ std::vector<TracePlane> ParallelPlanes(
     planes.push_back({ frame, from + i * spacing });
   }
   return planes;
+}
+
+std::vector<TracePlane> ParallelPlanesThrough(const std::vector<Point3>& seeds,
+  const Vector3& normal, const std::optional<std::array<double, 2>>& range, double spacing)
+{
+  const PlanarFrame frame = FrameAbout(normal);
+  double from = std::numeric_limits<double>::infinity();
+  double to = -from;
+  for (const Point3& seed : seeds)
+  {
+    from = std::min(from, frame.OffsetOf(seed));
+    to = std::max(to, frame.OffsetOf(seed));
+  }
+  if (range)
+  {
+    from = (*range)[0];
+    to = (*range)[1];
+  }
+  return ParallelPlanes(
+    normal, from, to, spacing == 0 ? (to - from) / AutomaticIntervals : spacing);
 }
 
 std::vector<TracePlane> PlanesOf(const ContourSet& contours)

@@ -10,6 +10,7 @@
 #include "Contours/ContourSet.h"
 #include "Implicit/ZeroSet/BoundedField.h"
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -56,6 +57,11 @@ std::vector<TracePlane> ParallelPlanes(
 /// less than the tolerance (in the points' unit).
 std::vector<TracePlane> PlanesWithin(
   const std::vector<TracePlane>& planes, const std::vector<Point3>& points, double tolerance);
+
+/// Parallel planes through all of the seeds, or within range where it is given (along the normal, in
+/// the units of the input). Spacing 0 takes a twentieth of that. @throws Error on bad numbers.
+std::vector<TracePlane> ParallelPlanesThrough(const std::vector<Point3>& seeds,
+  const Vector3& normal, const std::optional<std::array<double, 2>>& range, double spacing);
 
 /// The planes of a contour set's levels.
 std::vector<TracePlane> PlanesOf(const ContourSet& contours);
