@@ -39,13 +39,6 @@ bool HasScalars(vtkPVDataInformation* data)
     data->GetCellDataInformation()->GetAttributeInformation(vtkDataSetAttributes::SCALARS);
 }
 
-/// Contours, as the reader and the filters of this plugin write them.
-bool IsContours(vtkPVDataInformation* data)
-{
-  vtkPVDataSetAttributesInformation* cells = data->GetCellDataInformation();
-  return cells->GetArrayInformation("GeometricType") || cells->GetArrayInformation("ContourId");
-}
-
 /// What field data say of one region; nothing of several, or of other data.
 Region RegionIn(vtkPVDataInformation* data)
 {
@@ -64,7 +57,7 @@ Region RegionIn(vtkPVDataInformation* data)
   }
   vtkPVArrayInformation* type = field->GetArrayInformation("ROIType");
   const char* name = type && type->GetNumberOfStringValues() > 0 ? type->GetStringValue(0) : "";
-  region.IsOutline = name && std::string(name) == "EXTERNAL" && !IsContours(data);
+  region.IsOutline = name && std::string(name) == "EXTERNAL";
   return region;
 }
 

@@ -4,8 +4,8 @@
  * @brief Shows regions of a structure set in the colours that the file gives them.
  *
  * When a representation of a collection comes about, each block whose field data have `ROIColor`
- * gets it as its colour, and a surface whose `ROIType` is EXTERNAL, the body's outline, which is
- * around all others, is made translucent. One region alone gets the colour of the representation.
+ * gets it as its colour, and one whose `ROIType` is EXTERNAL, the body's outline, which is around all
+ * others, is made translucent, contours and surfaces. One region alone gets the colour of the representation.
  *
  * Blocks that have scalars to be coloured by keep these, and colours that the user has set stay.
  */
