@@ -65,4 +65,4 @@ paraview_plugin_build(
   DISABLE_XML_DOCUMENTATION ON)
 
 # What a user needs, without the tests.
-add_custom_target(plugin DEPENDS ContourReconstruction ContourManPage)
+add_custom_target(plugin DEPENDS ContourReconstruction)

@@ -49,7 +49,7 @@ def loops(rings):
     return source
 
 
-def ring(radius, z, x=0.0, y=0.0, count=48, squash=1.0):
+def ring(radius, z, x=0.0, y=0.0, count=28, squash=1.0):
     return [(x + radius * math.cos(2 * math.pi * i / count), y + squash * radius * math.sin(2 * math.pi * i / count), z)
             for i in range(count)]
 
@@ -189,7 +189,7 @@ def render(name, folder):
     view.CameraPosition = list(direction)
     view.CameraViewUp = [0, 0, 1]
     simple.ResetCamera(view)
-    simple.GetActiveCamera().Zoom(1.35)
+    simple.GetActiveCamera().Zoom(1.15)
     simple.Render(view)
     path = os.path.join(folder, name + ".png")
     simple.SaveScreenshot(path, view, ImageResolution=list(SIZE), CompressionLevel="9")
