@@ -66,23 +66,29 @@ def choose_rois(known, wanted, path):
 
 
 def select_rois(reader, wanted, path):
-    """Switch a structure set reader to the ROIs of those names."""
-    info = reader.GetProperty("ROIsInfo")
-    if info is None:
-        raise CommandError(f"--roi needs a DICOM RT structure set, and {path} is none.")
-    known = list(info.GetData() or [])[0::2]
+    """Switch a reader to the ROIs, or the objects, of those names."""
+    choice = next((name for name in ("ROIs", "Objects") if reader.GetProperty(name + "Info") is not None), None)
+    if choice is None:
+        raise CommandError(f"--roi needs a DICOM RT structure set, or a file of a tracing program, and {path} is none.")
+    known = list(reader.GetProperty(choice + "Info").GetData() or [])[0::2]
     if not known:
         run_proxy(reader)  # says what is wrong with the file
         raise CommandError(f"{path} has no ROIs.")
-    reader.ROIs = choose_rois(known, wanted, path)
+    setattr(reader, choice, choose_rois(known, wanted, path))
 
 
-def _open(path):
+def _open(path, drawings, spacing, pixel):
     """The reader of a file, by its extension or, of DICOM, its content."""
     extension = os.path.splitext(path)[1].lower()
     name = READERS.get(extension) or ("DICOMRTStructureSetReader" if is_dicom(path) else None)
     if name:
-        return new_node(name, FileName=[path] if name.startswith("XML") else path)
+        reader = _new_reader(name, path, drawings)
+        for option, value, known in (("--spacing", spacing, "SliceSpacing"), ("--pixel", pixel, "PixelSize")):
+            if value is not None:
+                if reader.GetProperty(known) is None:
+                    raise CommandError(f"{option} is for files that do not tell where slices lie, and {path} does.")
+                setattr(reader, known, value)
+        return reader
     if extension not in PARAVIEW_FORMATS:
         raise CommandError(f"{path}: cannot read '{extension}' files; contours are read from "
                            f"{' '.join(list(READERS) + list(PARAVIEW_FORMATS))}.")
@@ -95,11 +101,22 @@ def _open(path):
     return reader
 
 
-def read_contours(path, rois=None, unit=None):
-    """All contours of a file, a Contours object a region; (list, seconds). The unit is for files that tell none."""
-    if not os.path.isfile(path):
-        raise CommandError(f"There is no file {path}.")
-    reader = _open(path)
+def _new_reader(name, path, drawings):
+    """The node, with its files: a drawing has several, a slice each."""
+    if name == "SVGContourReader":
+        return new_node(name, FileNames=drawings or [path])
+    return new_node(name, FileName=[path] if name.startswith("XML") else path)
+
+
+def read_contours(path, rois=None, unit=None, drawings=None, spacing=None, pixel=None):
+    """All contours of a file, a Contours object a region; (list, seconds).
+
+    unit, spacing and pixel are for files that do not tell them; drawings are all files of a stack, of which path is one.
+    """
+    for file in drawings or [path]:
+        if not os.path.isfile(file):
+            raise CommandError(f"There is no file {file}.")
+    reader = _open(path, drawings, spacing, pixel)
     with Watched(reader.GetClientSideObject()) as watched:
         reader.UpdatePipelineInformation()
         watched.check()
@@ -107,8 +124,8 @@ def read_contours(path, rois=None, unit=None):
         select_rois(reader, rois, path)
     seconds = run_proxy(reader)
     title = os.path.splitext(os.path.basename(path))[0]
-    isDICOM = reader.GetXMLName() == "DICOMRTStructureSetReader"
     data = reader.GetClientSideObject().GetOutputDataObject(0)
+    isDICOM = reader.GetXMLName() == "DICOMRTStructureSetReader"
     told = "mm" if isDICOM else "".join(strings(data, "LengthUnit")) or None
     if unit and told and unit != told:
         raise CommandError(f"--unit {unit}: the coordinates of {path} are in {told}.")

@@ -28,6 +28,7 @@ READERS = {
 # What ParaView reads by itself, with whatever reader it has for it.
 PARAVIEW_FORMATS = (".vtk", ".vtm", ".vtu", ".vtpc", ".obj", ".geojson", ".dxf", ".shp")
 METHODS = {"psm": "PolyhedralSurface", "ism": "ImplicitSurface"}
+DRAWING = ".svg"
 NAME = "{}"  # stands for the name of IN in OUT
 NO_CERTIFICATE = "none"
 UNITS = ("mm", "cm", "m", "km", "um", "nm", "in", "ft")
@@ -42,6 +43,7 @@ Examples:
   contour-reconstruct rtss.dcm lung.stl --roi "Lt Lung" --set EndCaps=Flat
   contour-reconstruct 'cohort/*/RS*.dcm' 'surfaces/{}.stl' --jobs 4 --summary cohort.json
   contour-reconstruct drawn.dcm all.dcm --method ism --roi Prostate
+  contour-reconstruct slice1.svg slice2.svg slice3.svg solid.stl --stack --spacing 3
   contour-reconstruct rtss.dcm --list
 
 Exit status: 0 all done (or nothing to do), 1 something failed and was named, 2 the options are wrong, 130 stopped by Ctrl-C."""
@@ -65,11 +67,18 @@ def make_parser():
                         help="psm: polyhedral, exactly through parallel contours (default); "
                              "ism: implicit, smooth, contours on any planes")
     parser.add_argument("--roi", nargs="+", metavar="NAME", default=[],
-                        help="the ROIs of a structure set to take, in any case where only one is meant; all without this")
+                        help="the ROIs of a structure set, or the objects of a tracing program, to take, in any case where only one is "
+                             "meant; all without this")
     parser.add_argument("--set", action="append", metavar="PROPERTY=VALUE", default=[], dest="settings",
                         help="a property of a node on the way, such as EndCaps=Flat; repeatable; --list tells them all")
     parser.add_argument("--unit", choices=UNITS,
                         help="the unit of the coordinates, where the file does not tell it; volumes are in it, those of mm in cm3")
+    parser.add_argument("--spacing", metavar="S", type=float,
+                        help="the distance of slices, for files that do not tell it (.svg .roi .zip .csv); negative where they "
+                             "follow towards -z (default: 1)")
+    parser.add_argument("--pixel", metavar="S", type=float,
+                        help="what one unit of such a drawing is in the unit of the slices' distance (default: 1)")
+    parser.add_argument("--stack", action="store_true", help="each IN is a drawing (.svg) of one slice of one object, in this order")
     parser.add_argument("--offset", metavar="X,Y,Z",
                         help="take this from all coordinates that are written, for formats of single precision (.stl); "
                              "auto: the middle of the surface, in whole numbers")
@@ -108,6 +117,9 @@ def parse(arguments):
     """Options with inputs (a list), output (None of --list) and many (whether each file has a name of its own in OUT)."""
     parser = make_parser()
     options = parser.parse_intermixed_args(arguments)
+    for path in options.paths[:-1] if options.stack else []:
+        if os.path.splitext(path)[1].lower() != DRAWING:
+            parser.error(f"--stack is for drawings ({DRAWING}), and {path} is none.")
     if options.jobs < 0:
         parser.error("--jobs takes 0 and above.")
     if options.list:
@@ -118,7 +130,8 @@ def parse(arguments):
     options.output = options.paths[-1]
     options.inputs = expand(options.paths[:-1])
     # Also where a pattern meets one file only: what a script's outputs are called must not go by how many there are.
-    options.many = len(options.inputs) > 1 or NAME in options.output or options.inputs != options.paths[:-1]
+    options.many = not options.stack and (
+        len(options.inputs) > 1 or NAME in options.output or options.inputs != options.paths[:-1])
     return options
 
 

@@ -7,6 +7,12 @@ from contourchecks import checked_reference, parse_offset
 from contouroptions import NO_CERTIFICATE, UsageError
 
 
+def reading_of(options):
+    """What the options tell of how files are to be read."""
+    return {"unit": options.unit, "spacing": options.spacing, "pixel": options.pixel,
+            "drawings": options.inputs if options.stack else None}
+
+
 class Task:
     """A file and what becomes of it; what goes on is printed unless it is to be quiet."""
 
@@ -30,7 +36,7 @@ class Task:
     def run(self):
         """Do it all. What fails is raised at the end, after everything that could be done."""
         self.check()
-        blocks, reading = cli.read_contours(self.path, self.options.roi, self.options.unit)
+        blocks, reading = cli.read_contours(self.path, self.options.roi, **reading_of(self.options))
         filled = [block for block in blocks if not block.nothing]
         for block in blocks:
             if block.nothing:
@@ -145,7 +151,7 @@ def list_all(options):
     failed, sample = [], None
     for path in options.inputs:
         try:
-            blocks, _ = cli.read_contours(path, options.roi)
+            blocks, _ = cli.read_contours(path, options.roi, **reading_of(options))
         except UsageError as error:
             failed.append(str(error))
             continue

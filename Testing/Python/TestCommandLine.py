@@ -133,12 +133,22 @@ ct.check(row[3:7] == ["-"] * 4 and "volume/cm3" in plain and "\ncertificate" not
          f"--certificate none examines nothing, and --unit names the unit: {plain}")
 ct.check("\x1b" not in plain, "no colours where there is no terminal")
 fails("are in mm", "drawn.dcm", "out.vtp", "--unit", "cm")
-fails("--roi needs a DICOM", brain, "out.vtp", "--roi", "Heart")
+fails("--roi needs a DICOM RT structure set, or a file of a tracing program", brain, "out.vtp", "--roi", "Heart")
 listed = succeeds("drawn.dcm", "--list")
 ct.check("Body" in listed and "Ball" in listed and "EndCaps = Tapered: Flat, HalfSlice, Tapered, None" in listed,
          f"--list tells regions and properties: {listed}")
 ct.check("EndCaps = Tapered" in succeeds("--list"), "--list without a file tells the properties")
 ct.check("volume/cm3" in succeeds("drawn.dcm", "unit.vtp", "--roi", "Body"), "volumes of structure sets are in cm3")
+# Drawings of one object, a slice each.
+for radius in (3, 4, 4, 3):
+    with open(os.path.join(FOLDER, f"{len(os.listdir(FOLDER))}.svg"), "w", encoding="ascii") as file:
+        file.write('<svg xmlns="http://www.w3.org/2000/svg" width="20mm" viewBox="0 0 20 20">'
+                   f'<circle cx="9" cy="9" r="{radius}"/></svg>')
+drawings = sorted(name for name in os.listdir(FOLDER) if name.endswith(".svg"))
+table = succeeds(*drawings, "drawn.stl", "--stack", "--spacing", "2", "--set", "EndCaps=Flat")
+row = [line for line in table.splitlines() if line.startswith(drawings[0][:2])][0].split()
+ct.check(row[1] == "4" and abs(float(row[6]) - 0.256) < 0.02, f"four drawings are one solid of 0.256 cm3: {row}")
+fails("--spacing is for files that do not tell", "drawn.dcm", "out.vtp", "--spacing", "2")
 # Settings are checked against what the nodes say of them, names in any case.
 for setting, words in (("EndCaps=Round", "one of Flat, HalfSlice, Tapered, None"), ("OverlapThreshold=7", "from 0 to 0.99"),
                        ("InternalPoints=maybe", "on or off"), ("Threads=1.5", "no whole number"),
