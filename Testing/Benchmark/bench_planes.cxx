@@ -3,13 +3,13 @@
  * @file bench_planes.cxx
  * @brief Does the implicit surface have, on every drawn plane, the contours that were drawn there?
  *
- *   bench_planes [--plain] [--points N] [--depth CELLS] [--area PART] [--waist PART] FILE ...
+ *   bench_planes [--plain] [--each] [--points N] [--depth CELLS] [--area PART] [--waist PART] FILE ...
  *
  * A line an ROI (or set) of parallel contours, tab-separated: file, ROI, planes, contours drawn,
  * traced, planes with another number of contours, the largest symmetric difference of a plane in
  * per cent of its drawn area (where, and that area), volume of the implicit surface, of the polyhedral one with HalfSlice
- * ends, seconds, constraints, the lines of Report that the drawn planes made. --plain: as if only
- * contours told anything. --points: ROIs of more points are left out. --depth, --area, --waist:
+ * ends, processor seconds, constraints, the lines of Report that the drawn planes made. --plain: as if only
+ * contours told anything. --each: a line a plane that differs, on standard error. --points: ROIs of more points are left out. --depth, --area, --waist:
  * SectionTolerances (Constraints.h), to see what their values are worth.
  *
  * Contours of less than 3 square units do not count.
@@ -21,9 +21,9 @@
 #include "Mesh/MassProperties.h"
 #include "Polyhedral/PolyhedralSurface.h"
 
-#include <chrono>
 #include <cstdio>
 #include <cstring>
+#include <ctime>
 
 using namespace recon;
 
@@ -31,6 +31,8 @@ namespace
 {
 constexpr double LeastArea = 3;
 constexpr int Scanlines = 500;
+/// Per cent of the drawn area from which on a plane is one that differs.
+constexpr double Promised = 2;
 
 /// Where the contours of a level cross a line of constant v.
 std::vector<double> Crossings(const ContourSet& set, int level, const PlanarFrame& frame, double v)
@@ -71,6 +73,7 @@ struct PlaneFigures
   double Worst = 0; ///< per cent
   double WorstAt = 0;
   double WorstArea = 0;
+  std::string Each; ///< a line a plane that differs
 };
 
 int CountLarge(const ContourSet& set, int level)
@@ -137,13 +140,22 @@ void CompareLevel(
     }
     difference += LengthOf(ends);
   }
-  if (area * box.Extent(1) / Scanlines > LeastArea)
+  const double square = box.Extent(1) / Scanlines;
+  if (count != found || (area * square > LeastArea && 100 * difference > Promised * area))
+  {
+    char line[160];
+    std::snprintf(line, sizeof line,
+      "  %.6g: %d contours, %d traced; %.4g of %.4g differ, %.2f %%\n", plane.Offset, count, found,
+      difference * square, area * square, 100 * difference / area);
+    figures.Each += line;
+  }
+  if (area * square > LeastArea)
   {
     if (100 * difference > figures.Worst * area)
     {
       figures.Worst = 100 * difference / area;
       figures.WorstAt = plane.Offset;
-      figures.WorstArea = area * box.Extent(1) / Scanlines;
+      figures.WorstArea = area * square;
     }
   }
 }
@@ -155,7 +167,7 @@ double VolumeOf(const TriangleMesh& mesh)
 }
 
 void Measure(const std::string& file, const std::string& name, const ContourSet& drawn, bool plain,
-  const ContourSet& parallel, const SectionTolerances& tolerances)
+  bool each, const ContourSet& parallel, const SectionTolerances& tolerances)
 {
   Monitor monitor;
   ImplicitSurfaceOptions options;
@@ -163,9 +175,9 @@ void Measure(const std::string& file, const std::string& name, const ContourSet&
   options.Constraints.FillLongEdges = !plain;
   options.Constraints.Sections = tolerances;
   options.Polygonizer.CleanUp = false;
-  const auto start = std::chrono::steady_clock::now();
+  const std::clock_t start = std::clock();
   const ImplicitSurface surface = BuildImplicitSurface(drawn, options, monitor);
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
   TracerOptions tracing;
   tracing.Box = ChooseBoundsOf(drawn);
   PlaneFigures figures;
@@ -190,7 +202,7 @@ void Measure(const std::string& file, const std::string& name, const ContourSet&
   std::printf("%s\t%s\t%zu\t%d\t%d\t%d\t%.2f (%.6g, %.4g)\t%.6g\t%.6g\t%.2f\t%zu\t", file.c_str(),
     name.c_str(), drawn.Levels.size(), figures.Drawn, figures.Traced, figures.OtherCount,
     figures.Worst, figures.WorstAt, figures.WorstArea, VolumeOf(surface.Mesh.Mesh), polyhedral,
-    seconds.count(), surface.Fit.Constraints.Points.size());
+    seconds, surface.Fit.Constraints.Points.size());
   for (const std::string& line : surface.Report)
   {
     if (line.find("drawn") != std::string::npos || line.find("were put on") != std::string::npos)
@@ -200,12 +212,17 @@ void Measure(const std::string& file, const std::string& name, const ContourSet&
   }
   std::printf("\n");
   std::fflush(stdout);
+  if (each)
+  {
+    std::fputs(figures.Each.c_str(), stderr);
+  }
 }
 }
 
 int main(int argc, char** argv)
 {
   bool plain = false;
+  bool each = false;
   std::size_t most = static_cast<std::size_t>(-1);
   SectionTolerances tolerances;
   const std::pair<const char*, double*> settable[] = { { "--depth", &tolerances.Depth },
@@ -222,6 +239,11 @@ int main(int argc, char** argv)
     if (std::strcmp(argv[i], "--plain") == 0)
     {
       plain = true;
+      continue;
+    }
+    if (std::strcmp(argv[i], "--each") == 0)
+    {
+      each = true;
       continue;
     }
     if (std::strcmp(argv[i], "--points") == 0 && i + 1 < argc)
@@ -241,7 +263,7 @@ int main(int argc, char** argv)
         {
           continue;
         }
-        Measure(std::filesystem::path(argv[i]).filename().string(), name, drawn, plain,
+        Measure(std::filesystem::path(argv[i]).filename().string(), name, drawn, plain, each,
           BuildContourSet(soup, ContourSetOptions(), monitor), tolerances);
       }
       catch (const std::exception& error)

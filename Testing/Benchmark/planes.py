@@ -13,7 +13,7 @@ bench_planes has written before. A row an ROI:
 - difference: the largest symmetric difference of areas on a plane, in per cent of the area drawn there, with the plane's
   place and area, traced at the node's own cell size;
 - volume: of the implicit surface, in per cent beside that of Polyhedral Surface with HalfSlice ends;
-- constraints, seconds (wall) of the whole surface without clean-up, and what Report says of the drawn planes.
+- constraints, processor seconds of the whole surface without clean-up, and what Report says of the drawn planes.
 """
 import argparse
 import glob
