@@ -103,8 +103,8 @@ def methods(view):
 
 
 def caps(view):
-    source = loops([ring(1.5 - 0.12 * (i - 2) ** 2, 0.6 * i) for i in range(5)])
     for number, cap in enumerate(("Flat", "HalfSlice", "Tapered", "None")):
+        source = loops([ring(1.5 - 0.12 * (i - 2) ** 2, 0.6 * i) for i in range(5)])
         surface = simple.PolyhedralSurface(Input=source, EndCaps=cap)
         show(view, surface, GOLD, (3.6 * (number - 1.5), 0, 0), style="Surface With Edges")
         show(view, source, RED, (3.6 * (number - 1.5), 0, 0), width=4)
@@ -113,8 +113,6 @@ def caps(view):
 
 def joins(view):
     source = fork()
-    mapping = simple.ContourHierarchy(Input=source)
-    mapping.UpdatePipeline()
     show(view, simple.PolyhedralSurface(Input=source), BLUE, (-2.4, 0, 0))
     apart = simple.PolyhedralSurface(Input=source, Mapping="Overlap", OverlapThreshold=0.95)
     show(view, apart, RED, (2.4, 0, 0))
@@ -165,16 +163,18 @@ def regions(view):
     return (0.3, -0.9, 0.35)
 
 
-def fair(view):
+def pipe(view):
     source = contours("branching_pipe.cnt")
-    show(view, source, INK, (-9, 0, 0), width=2)
+    show(view, source, INK, (-18, 0, 0), width=2)
     show(view, simple.PolyhedralSurface(Input=source), BLUE, style="Surface With Edges")
-    show(view, simple.ImplicitSurface(Input=source), GREEN, (9, 0, 0))
+    show(view, simple.ImplicitSurface(Input=source), GREEN, (18, 0, 0))
     return (0.2, -0.9, 0.4)
 
 
 SCENES = {"brain": brain, "head": head, "femur": femur, "tamarind": tamarind, "methods": methods, "caps": caps, "joins": joins,
-          "tetrahedra": tetrahedra, "terrain": terrain, "cut_and_back": cut_and_back, "regions": regions, "pipe": fair}
+          "tetrahedra": tetrahedra, "terrain": terrain, "cut_and_back": cut_and_back, "regions": regions, "pipe": pipe}
+# Pictures that are wider than high have room above and below.
+ZOOM = {"brain": 1.25, "methods": 1.25, "caps": 1.1, "joins": 1.1, "cut_and_back": 1.25, "pipe": 1.2, "terrain": 1.2}
 
 
 def render(name, folder):
@@ -189,7 +189,7 @@ def render(name, folder):
     view.CameraPosition = list(direction)
     view.CameraViewUp = [0, 0, 1]
     simple.ResetCamera(view)
-    simple.GetActiveCamera().Zoom(1.15)
+    simple.GetActiveCamera().Zoom(ZOOM.get(name, 0.95))
     simple.Render(view)
     path = os.path.join(folder, name + ".png")
     simple.SaveScreenshot(path, view, ImageResolution=list(SIZE), CompressionLevel="9")

@@ -28,7 +28,7 @@ html_show_sphinx = False
 exclude_patterns = []
 """
 LISTS = (("Use it", ["README", "Documentation/recipes", "Documentation/choosing", "Documentation/formats",
-                     "Documentation/command-line", "Documentation/structure-sets", "Documentation/examples",
+                     "Documentation/command-line", "Documentation/structure-sets", "Documentation/examples", "Documentation/gallery",
                      "Documentation/nodes", "Documentation/nodes/index"]),
          ("What it is worth", ["Data/TRUTH", "Data/TRUTH_IMPLICIT", "Data/CERTIFICATES", "Data/PLANES", "Documentation/performance"]),
          ("How it works", ["Documentation/architecture", "Documentation/glossary", "Documentation/references",
