@@ -23,3 +23,4 @@ view.CameraPosition = [view.CameraFocalPoint[0] - 260, view.CameraFocalPoint[1] 
 view.CameraViewUp = [0, 0, 1]
 Render(view)
 SaveScreenshot("brain.png", view)
+Delete(view)
