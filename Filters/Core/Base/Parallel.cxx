@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Base/Parallel.h"
 
+#include "Base/StopSignal.h"
+
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -38,6 +40,7 @@ struct Loop
 
 void Work(Loop& loop, int count, const std::function<void(int)>& body)
 {
+  const StopSignal signal(loop.Stop);
   try
   {
     for (int i = loop.Next++; i < count && !loop.Stop; i = loop.Next++)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Polyhedral/ConformingRefinement.h"
 
+#include "Base/StopSignal.h"
+
 #include <CGAL/Triangulation_conformer_2.h>
 
 namespace recon
@@ -56,6 +58,7 @@ public:
 
   Kernel::Point_2 refinement_point_impl(const Edge& edge)
   {
+    ThrowIfStopped();
     const Kernel::Point_2 p = Super::refinement_point_impl(edge);
     if (this->tr.number_of_vertices() >= this->MaximumPoints)
     {

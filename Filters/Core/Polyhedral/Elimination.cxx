@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Polyhedral/Elimination.h"
 
-#include "Polyhedral/JointVoronoiPredicates.h"
+#include "Polyhedral/DelaunayEdges.h"
 #include "Polyhedral/VertexRegions.h"
 
 namespace recon
@@ -9,35 +9,6 @@ namespace recon
 namespace
 {
 using Tetrahedron = SlabTetrahedra::Tetrahedron;
-
-/// How a Delaunay edge lies to the contours of its level.
-enum class EdgeKind
-{
-  External,
-  Internal,
-  Contour
-};
-
-EdgeKind KindOf(const LevelTriangulation& level, int edge)
-{
-  const int triangle = edge / 3;
-  if (level.EdgeContour[triangle][edge % 3] >= 0)
-  {
-    return EdgeKind::Contour;
-  }
-  return level.Inside[triangle] ? EdgeKind::Internal : EdgeKind::External;
-}
-
-/// The crossing of the bisectors lies outside contour edge `edge`, which joins p and q. Condition 2
-/// puts the edge's Voronoi edge across its midpoint, so one side test tells.
-bool NodeOutside(const LevelTriangulation& level, int edge, const Point2& u, const Point2& v)
-{
-  const auto& corners = level.Triangles[edge / 3];
-  const Point2& p = level.Points[corners[(edge + 1) % 3]];
-  const Point2& q = level.Points[corners[(edge + 2) % 3]];
-  const int side = SideOfNode(p, q, u, v);
-  return level.Inside[edge / 3] ? side < 0 : side > 0;
-}
 
 class Elimination
 {
@@ -101,8 +72,8 @@ private:
     const Point2& b = this->Level1.Points[t.Corners[1]];
     const Point2& u = this->Level2.Points[t.Corners[2]];
     const Point2& v = this->Level2.Points[t.Corners[3]];
-    const bool outside =
-      NodeOutside(this->Level1, t.Origin[0], u, v) && NodeOutside(this->Level2, t.Origin[1], a, b);
+    const bool outside = IsNodeOutside(this->Level1, t.Origin[0], u, v) &&
+      IsNodeOutside(this->Level2, t.Origin[1], a, b);
     return outside ? SlabTetrahedra::OutsideBothContours : SlabTetrahedra::Kept;
   }
 
@@ -141,8 +112,9 @@ private:
   {
     std::vector<unsigned char> reached(this->Slab.Tetrahedra.size(), 0);
     std::vector<int> stack;
-    const auto visit = [&](int i)
+    const auto visit = [&](int neighbour)
     {
+      const int i = SlabTetrahedra::Beyond(neighbour); // all of a gap is kept
       if (this->IsKept(i) && !reached[i] && this->Slab.Tetrahedra[i].Node == SlabTetrahedra::T12)
       {
         reached[i] = 1;
@@ -183,7 +155,7 @@ private:
       for (int k = 0; k < 3 && this->IsKept(i) && !supported[i]; ++k)
       {
         const int neighbour = this->Slab.Tetrahedra[i].Neighbours[k];
-        if (this->IsKept(neighbour) && neighbour >= bases)
+        if (SlabTetrahedra::IsGap(neighbour) || (this->IsKept(neighbour) && neighbour >= bases))
         {
           supported[i] = 1;
           stack.push_back(i);
@@ -222,12 +194,6 @@ private:
   VertexRegions Regions1;
   VertexRegions Regions2;
 };
-}
-
-int RegionAtEdge(const LevelTriangulation& level, int edge)
-{
-  const int region = level.Region[edge / 3];
-  return region >= 0 ? region : level.Region[level.Neighbours[edge / 3][edge % 3]];
 }
 
 void EliminateTetrahedra(const LevelTriangulation& level1, const LevelTriangulation& level2,

@@ -11,15 +11,13 @@
 
 namespace recon
 {
-/// Region on the solid side of a Delaunay edge (as in SlabTetrahedra::Tetrahedron::Origin) that is
-/// not external.
-int RegionAtEdge(const LevelTriangulation& level, int edge);
-
 /**
  * Set Reason of every tetrahedron (thesis 5.5, 6.4).
  *
  * A T12 of two contour edges whose node lies outside both contours is not solid either: the thesis
  * keeps it, and it draws thin sheets and spikes across bays.
+ *
+ * What is missing in a gap of the slab counts as kept; whoever left it out sees to it that it is.
  */
 void EliminateTetrahedra(const LevelTriangulation& level1, const LevelTriangulation& level2,
   const SlabJoins& joins, SlabTetrahedra& slab);

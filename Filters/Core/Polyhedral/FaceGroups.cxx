@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Polyhedral/FaceGroups.h"
 
+#include "Base/DisjointSets.h"
+
 #include <algorithm>
 #include <map>
 
@@ -88,31 +90,29 @@ int WinnerOf(const std::map<int, int>& votes)
 
 std::vector<int> FindPieces(const SolidComplex& solid)
 {
-  std::vector<int> pieces(solid.Cells.size(), -1);
-  std::vector<int> stack;
-  int count = 0;
-  for (std::size_t c = 0; c < pieces.size(); ++c)
+  DisjointSets sets(solid.Cells.size());
+  for (std::size_t c = 0; c < solid.Cells.size(); ++c)
   {
-    if (pieces[c] >= 0)
+    for (const int neighbour : solid.Cells[c].Neighbours)
     {
-      continue;
-    }
-    pieces[c] = count;
-    stack.push_back(static_cast<int>(c));
-    while (!stack.empty())
-    {
-      const auto& cell = solid.Cells[stack.back()];
-      stack.pop_back();
-      for (const int n : cell.Neighbours)
+      const int n = SlabTetrahedra::Beyond(neighbour);
+      if (n >= 0 && solid.Cells[n].Slab == solid.Cells[c].Slab)
       {
-        if (n >= 0 && pieces[n] < 0 && solid.Cells[n].Slab == cell.Slab)
-        {
-          pieces[n] = count;
-          stack.push_back(n);
-        }
+        sets.Join(static_cast<int>(c), n);
       }
     }
-    ++count;
+  }
+  for (const auto& link : solid.Links)
+  {
+    sets.Join(link.first, link.second);
+  }
+  // The least cell of a set represents it, so it comes first.
+  std::vector<int> pieces(solid.Cells.size());
+  int count = 0;
+  for (int c = 0; c < static_cast<int>(pieces.size()); ++c)
+  {
+    const int first = sets.Find(c);
+    pieces[c] = first == c ? count++ : pieces[first];
   }
   return pieces;
 }

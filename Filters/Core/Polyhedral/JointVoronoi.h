@@ -19,9 +19,13 @@
 #ifndef recon_JointVoronoi_h
 #define recon_JointVoronoi_h
 
-#include "Polyhedral/LevelTriangulation.h"
+#include "Polyhedral/JointCells.h"
 
 #include <array>
+#include <cstddef>
+#include <optional>
+#include <set>
+#include <utility>
 #include <vector>
 
 namespace recon
@@ -29,6 +33,10 @@ namespace recon
 /**
  * The tetrahedra between two levels: together they fill the convex hull of both levels' points and
  * are its 3D Delaunay triangulation (one of them, where points are cospherical).
+ *
+ * Or those of them only that bear on the boundary of the solid, see BoundaryVoronoi.h: then rows of
+ * T12 along a Voronoi edge may be missing, all of which are kept. The tetrahedra at both ends of
+ * such a gap are kept, too, and name each other. Rows that are not kept are missing without a sign.
  */
 struct SlabTetrahedra
 {
@@ -55,8 +63,8 @@ struct SlabTetrahedra
     /// level 2. Indices into the levels' LevelTriangulation::Points; all are positively oriented in
     /// space.
     std::array<int, 4> Corners;
-    /// k: the tetrahedron across the face opposite corner k; -1 on the hull and for the base of T1,
-    /// T2.
+    /// k: the tetrahedron across the face opposite corner k; -1 on the hull, for the base of T1 and
+    /// T2, and where what is not kept is missing; GapTo(t) where t lies beyond a gap.
     std::array<int, 4> Neighbours;
     /// T1, T2: {triangle, -1}. T12: the Delaunay edges of level 1 and 2 as 3 * triangle + k, the
     /// lesser of the two such numbers that an edge has.
@@ -69,6 +77,15 @@ struct SlabTetrahedra
   int NumberOfT1 = 0;
   int NumberOfT2 = 0;
 
+  bool HasGaps = false;                     ///< only what bears on the boundary is there
+  std::vector<std::pair<int, int>> Links;   ///< tetrahedra that kept ones in gaps hold together
+  std::set<std::pair<int, int>> GapRegions; ///< of the tetrahedra in gaps, as in SlabJoins
+
+  static int GapTo(int tetrahedron) { return -2 - tetrahedron; }
+  static bool IsGap(int neighbour) { return neighbour <= -2; }
+  /// The neighbour itself, or the one beyond the gap; -1 where there is none.
+  static int Beyond(int neighbour) { return IsGap(neighbour) ? -2 - neighbour : neighbour; }
+
   /// Whether corner k of t belongs to level 2.
   static bool OnLevel2(const Tetrahedron& t, int k)
   {
@@ -78,6 +95,12 @@ struct SlabTetrahedra
 
 SlabTetrahedra BuildJointVoronoi(
   const LevelTriangulation& level1, const LevelTriangulation& level2);
+
+/// The same, or nothing where there are more T12 than that.
+std::optional<SlabTetrahedra> BuildJointVoronoi(const JointCells& cells, std::size_t maximumT12);
+
+/// T1 and T2, without neighbours.
+void AddNodesOfVoronoiVertices(const JointCells& cells, SlabTetrahedra& slab);
 }
 
 #endif

@@ -4,6 +4,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -137,5 +138,73 @@ int SideOfNode(const Point2& a, const Point2& b, const Point2& u, const Point2& 
   const int distance = SignOfMidpointDistance(a, b, u, v);
   const int along = -SignAlongRightNormal(a, b, v, u);
   return distance * along;
+}
+
+namespace
+{
+/// The crossing of a bisector with that of From and To: at N / D along it, from the middle of a-b
+/// and in half lengths of a-b; with the shift of From and To by e, N grows by 2 e . (To - From).
+template <typename Number>
+struct AlongBisector
+{
+  std::array<Number, 2> Way; ///< To - From
+  Number N;
+  Number D;
+
+  AlongBisector(const Point2& a, const Point2& b, const CellCrossing& c)
+    : Way{ { Number(c.To[0]) - Number(c.From[0]), Number(c.To[1]) - Number(c.From[1]) } },
+      N(Way[0] * ((Number(c.From[0]) - Number(a[0])) + (Number(c.To[0]) - Number(b[0]))) +
+        Way[1] * ((Number(c.From[1]) - Number(a[1])) + (Number(c.To[1]) - Number(b[1])))),
+      D((Number(b[1]) - Number(a[1])) * Way[0] - (Number(b[0]) - Number(a[0])) * Way[1])
+  {
+  }
+};
+
+/// Bounds on the sums of absolute values in N and D.
+Point2 BoundsAlongBisector(const Point2& a, const Point2& b, const CellCrossing& c)
+{
+  Point2 bounds{ { 0, 0 } };
+  for (int k = 0; k < 2; ++k)
+  {
+    const double way = std::abs(c.To[k] - c.From[k]);
+    bounds[0] += way * (std::abs(c.From[k] - a[k]) + std::abs(c.To[k] - b[k]));
+    bounds[1] += way * std::abs(b[1 - k] - a[1 - k]);
+  }
+  return bounds;
+}
+
+int CompareExactly(
+  const Point2& a, const Point2& b, bool ofLevel1, const CellCrossing& p, const CellCrossing& q)
+{
+  const AlongBisector<Exact> first(a, b, p);
+  const AlongBisector<Exact> second(a, b, q);
+  const int sign = static_cast<int>(CGAL::sign(first.N * second.D - second.N * first.D));
+  if (sign != 0)
+  {
+    return sign;
+  }
+  for (int k = 0; k < 2; ++k)
+  {
+    const int shifted =
+      static_cast<int>(CGAL::sign(first.Way[k] * second.D - second.Way[k] * first.D));
+    if (shifted != 0)
+    {
+      return ofLevel1 ? -shifted : shifted;
+    }
+  }
+  return 0;
+}
+}
+
+int CompareAlongBisector(
+  const Point2& a, const Point2& b, bool ofLevel1, const CellCrossing& p, const CellCrossing& q)
+{
+  const AlongBisector<double> first(a, b, p);
+  const AlongBisector<double> second(a, b, q);
+  const Point2 bounds1 = BoundsAlongBisector(a, b, p);
+  const Point2 bounds2 = BoundsAlongBisector(a, b, q);
+  return FilteredSign(first.N * second.D - second.N * first.D,
+    bounds1[0] * bounds2[1] + bounds2[0] * bounds1[1],
+    [&] { return CompareExactly(a, b, ofLevel1, p, q); });
 }
 }

@@ -55,6 +55,22 @@ int SignAlongRightNormal(const Point2& u, const Point2& v, const Point2& a, cons
  * of a->b, -1 right, 0 on the edge. The bisectors must not be parallel. Exact.
  */
 int SideOfNode(const Point2& a, const Point2& b, const Point2& u, const Point2& v);
+
+/// Two vertices of the other level whose bisector a Voronoi edge crosses on its way from the cell
+/// of From to that of To.
+struct CellCrossing
+{
+  Point2 From;
+  Point2 To;
+};
+
+/**
+ * Whether the bisector of a and b, run through with b on its left, comes to p before it comes to q:
+ * negative, or positive; 0 only where these are the same. Exact, and with the displacement of level
+ * 2 where they are crossed in one place. ofLevel1: a and b belong to level 1.
+ */
+int CompareAlongBisector(
+  const Point2& a, const Point2& b, bool ofLevel1, const CellCrossing& p, const CellCrossing& q);
 }
 
 #endif

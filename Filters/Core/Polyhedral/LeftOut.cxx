@@ -2,7 +2,7 @@
 #include "Polyhedral/LeftOut.h"
 
 #include "Base/Text.h"
-#include "Polyhedral/Elimination.h"
+#include "Polyhedral/DelaunayEdges.h"
 
 #include <algorithm>
 #include <sstream>
@@ -14,13 +14,14 @@ namespace
 bool IsMade(const LevelState& lower, const LevelState& upper, const SlabTetrahedra& slab, int wall1,
   int wall2)
 {
-  return std::any_of(slab.Tetrahedra.begin(), slab.Tetrahedra.end(),
-    [&](const auto& t)
-    {
-      return t.Reason == SlabTetrahedra::Kept && t.Node == SlabTetrahedra::T12 &&
-        RegionAtEdge(lower.Triangulation, t.Origin[0]) == wall1 &&
-        RegionAtEdge(upper.Triangulation, t.Origin[1]) == wall2;
-    });
+  return slab.GapRegions.count({ wall1, wall2 }) > 0 ||
+    std::any_of(slab.Tetrahedra.begin(), slab.Tetrahedra.end(),
+      [&](const auto& t)
+      {
+        return t.Reason == SlabTetrahedra::Kept && t.Node == SlabTetrahedra::T12 &&
+          RegionAtEdge(lower.Triangulation, t.Origin[0]) == wall1 &&
+          RegionAtEdge(upper.Triangulation, t.Origin[1]) == wall2;
+      });
 }
 
 /// What a contour bounds, as bits: one that touches another or is touched by its holes may bound

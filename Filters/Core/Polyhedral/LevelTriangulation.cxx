@@ -535,6 +535,7 @@ LevelTriangulation LevelTriangulator::Finish() const
   auto& impl = *this->Impl;
   impl.LabelContourEdges();
   LevelTriangulation out;
+  out.IsGabriel = impl.IsGabriel;
   for (auto v : impl.Delaunay.finite_vertex_handles())
   {
     v->info().Index = static_cast<int>(out.Points.size());

@@ -54,6 +54,7 @@ struct LevelTriangulation
   std::vector<int>
     Region; ///< of a triangle of IR: the outer wall of its region (a contour), else -1
   std::vector<int> StarTriangle; ///< of a point: one triangle that has it as a corner
+  bool IsGabriel = false;        ///< condition 2 holds, too
 
   /// Planar position of a Voronoi vertex (circumcentre of a triangle), rounded; not finite where
   /// the triangle is flat within rounding.

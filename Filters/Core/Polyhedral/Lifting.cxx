@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Polyhedral/Lifting.h"
 
+#include "Base/StopSignal.h"
+#include "Polyhedral/VoronoiSections.h"
+
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <algorithm>
@@ -72,28 +75,91 @@ public:
   }
 
 private:
+  bool IsToBeLifted(int side, int point) const { return !std::isnan(this->Targets[side][point]); }
+
   bool CollectStars()
   {
-    bool any = false;
-    for (std::size_t i = 0; i < this->Slab.Tetrahedra.size(); ++i)
+    for (const auto& t : this->Slab.Tetrahedra)
     {
-      const auto& t = this->Slab.Tetrahedra[i];
-      for (int k = 0; k < 4; ++k)
+      if (t.Node != SlabTetrahedra::T12 || !this->Slab.HasGaps)
       {
-        const int side = SlabTetrahedra::OnLevel2(t, k) ? 1 : 0;
-        if (!std::isnan(this->Targets[side][t.Corners[k]]))
+        this->CollectStar(t);
+      }
+    }
+    const auto isAny = [](const std::vector<double>& targets)
+    {
+      return std::any_of(
+        targets.begin(), targets.end(), [](double target) { return !std::isnan(target); });
+    };
+    if (this->Slab.HasGaps && (isAny(this->Targets[0]) || isAny(this->Targets[1])))
+    {
+      this->CollectMissingStars();
+    }
+    return !this->Tetrahedra.empty();
+  }
+
+  void CollectStar(const SlabTetrahedra::Tetrahedron& t)
+  {
+    bool any = false;
+    Corners corners{};
+    for (int k = 0; k < 4; ++k)
+    {
+      const int side = SlabTetrahedra::OnLevel2(t, k) ? 1 : 0;
+      corners[k] = { side, t.Corners[k] };
+      if (this->IsToBeLifted(side, t.Corners[k]))
+      {
+        this->Stars[side][t.Corners[k]].push_back(static_cast<int>(this->Tetrahedra.size()));
+        any = true;
+      }
+    }
+    if (any)
+    {
+      this->Tetrahedra.push_back(corners);
+    }
+  }
+
+  /// All T12 at the points to be lifted, as those of the slab are not all there.
+  void CollectMissingStars()
+  {
+    const JointCells cells(this->Levels[0]->Triangulation, this->Levels[1]->Triangulation);
+    const VoronoiSections sections(cells);
+    std::vector<JointCrossing> crossings;
+    for (const int side : { 0, 1 })
+    {
+      const LevelTriangulation& level = cells.LevelAt(side);
+      for (int edge = 0; edge < static_cast<int>(3 * level.Triangles.size()); ++edge)
+      {
+        if (!this->IsEdgeToBeLifted(level, side, edge))
         {
-          this->Stars[side][t.Corners[k]].push_back(static_cast<int>(i));
-          any = true;
+          continue;
+        }
+        crossings.clear();
+        sections.Find(side, edge, true, crossings);
+        for (const JointCrossing& crossing : crossings)
+        {
+          // What has a point of either level was found from the first.
+          if (side == 0 || !this->IsEdgeToBeLifted(cells.LevelAt(0), 0, crossing.Edges[0]))
+          {
+            this->CollectStar(
+              { crossing.Corners, {}, crossing.Edges, SlabTetrahedra::T12, SlabTetrahedra::Kept });
+          }
         }
       }
     }
-    return any;
+  }
+
+  /// Of a Delaunay edge under its canonical number, whether one of its ends is.
+  bool IsEdgeToBeLifted(const LevelTriangulation& level, int side, int edge) const
+  {
+    const auto& corners = level.Triangles[edge / 3];
+    return (this->IsToBeLifted(side, corners[(edge + 1) % 3]) ||
+             this->IsToBeLifted(side, corners[(edge + 2) % 3])) &&
+      CanonicalEdge(level, edge / 3, edge % 3) == edge;
   }
 
   void FindSmallestVolumes()
   {
-    this->SmallestVolume.resize(this->Slab.Tetrahedra.size());
+    this->SmallestVolume.resize(this->Tetrahedra.size());
     for (std::size_t t = 0; t < this->SmallestVolume.size(); ++t)
     {
       this->SmallestVolume[t] = LeastVolume * this->Volume(static_cast<int>(t));
@@ -139,6 +205,7 @@ private:
 
   bool IsSafe(int side, int point) const
   {
+    ThrowIfStopped();
     const auto& star = this->Stars[side][point];
     return std::all_of(star.begin(), star.end(),
       [&](int t) { return this->Volume(t) >= this->SmallestVolume[t] && this->IsPositive(t); });
@@ -146,13 +213,12 @@ private:
 
   std::array<Kernel::Point_3, 4> CornersOf(int tetrahedron) const
   {
-    const auto& t = this->Slab.Tetrahedra[tetrahedron];
     std::array<Kernel::Point_3, 4> corners;
     for (int k = 0; k < 4; ++k)
     {
-      const int side = SlabTetrahedra::OnLevel2(t, k) ? 1 : 0;
-      const Point2& p = this->Levels[side]->Triangulation.Points[t.Corners[k]];
-      corners[k] = { p[0], p[1], this->Heights[side][t.Corners[k]] };
+      const auto& [side, point] = this->Tetrahedra[tetrahedron][k];
+      const Point2& p = this->Levels[side]->Triangulation.Points[point];
+      corners[k] = { p[0], p[1], this->Heights[side][point] };
     }
     return corners;
   }
@@ -169,10 +235,14 @@ private:
     return CGAL::orientation(p[0], p[1], p[2], p[3]) == CGAL::POSITIVE;
   }
 
+  /// Of a tetrahedron: level and point.
+  using Corners = std::array<std::array<int, 2>, 4>;
+
   std::array<const LevelState*, 2> Levels;
   const SlabTetrahedra& Slab;
   std::array<std::vector<double>, 2> Heights;
   std::array<std::vector<double>, 2> Targets;
+  std::vector<Corners> Tetrahedra;                    ///< those with a point to be lifted
   std::vector<double> SmallestVolume;                 ///< that a tetrahedron must keep
   std::array<std::vector<std::vector<int>>, 2> Stars; ///< tetrahedra at every point to be lifted
 };

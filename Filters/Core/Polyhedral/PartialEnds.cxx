@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Polyhedral/PartialEnds.h"
 
-#include "Polyhedral/Elimination.h"
+#include "Polyhedral/DelaunayEdges.h"
 #include "Polyhedral/LiftTargets.h"
 
 #include <set>
@@ -21,7 +21,7 @@ int RegionAt(const LevelTriangulation& level, int triangle)
 std::set<RegionPair> JoinedPairs(
   const SlabTetrahedra& slab, const LevelTriangulation& lower, const LevelTriangulation& upper)
 {
-  std::set<RegionPair> pairs;
+  std::set<RegionPair> pairs = slab.GapRegions;
   for (const auto& t : slab.Tetrahedra)
   {
     if (t.Reason == SlabTetrahedra::Kept && t.Node == SlabTetrahedra::T12)

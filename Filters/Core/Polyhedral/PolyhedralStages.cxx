@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Polyhedral/PolyhedralStages.h"
 
+#include "Polyhedral/BoundaryVoronoi.h"
 #include "Polyhedral/Elimination.h"
 #include "Polyhedral/LeftOut.h"
 #include "Polyhedral/Lifting.h"
@@ -12,6 +13,9 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
+#include <optional>
+#include <utility>
 
 namespace recon
 {
@@ -20,6 +24,10 @@ namespace
 /// Cover points change their level and the two slabs at it, which can lay others bare; after two
 /// rounds of them what is left are acute tips, which no point can cover.
 constexpr int Rounds = 3;
+
+/// Drawn contours have at most a few T12 a triangle; with more than this it is quicker, and takes
+/// far less memory, to make those at the boundary only.
+constexpr std::size_t MostT12ATriangle = 8;
 
 /// By slab the points of the lower and of the upper level at which a part of it ends in the slab.
 using EndsOfSlabs = std::vector<std::array<std::vector<Point2>, 2>>;
@@ -30,9 +38,10 @@ class Builder
 {
 public:
   Builder(const ContourSet& contours, const PolyhedralOptions& options, Monitor& monitor,
-    double progressEnd)
+    double progressEnd, TetrahedraWanted wanted)
     : Contours(contours),
       Options(options),
+      Wanted(wanted),
       Runner(options.Threads, monitor, progressEnd)
   {
     this->Levels.resize(contours.Levels.size());
@@ -137,11 +146,33 @@ private:
         const LevelState& upper = this->Levels[i + 1];
         if (lower.Changed || upper.Changed)
         {
-          SlabState& slab = this->Slabs[i];
-          slab.Diagram = BuildJointVoronoi(lower.Triangulation, upper.Triangulation);
-          EliminateTetrahedra(lower.Triangulation, upper.Triangulation, slab.Joins, slab.Diagram);
+          this->JoinDiagram(lower.Triangulation, upper.Triangulation, this->Slabs[i]);
         }
       });
+  }
+
+  void JoinDiagram(
+    const LevelTriangulation& lower, const LevelTriangulation& upper, SlabState& slab) const
+  {
+    const JointCells cells(lower, upper);
+    const bool mayHaveGaps =
+      this->Wanted != TetrahedraWanted::All && lower.IsGabriel && upper.IsGabriel;
+    std::size_t most = std::numeric_limits<std::size_t>::max();
+    if (mayHaveGaps)
+    {
+      most = this->Wanted == TetrahedraWanted::BoundaryOnly
+        ? 0
+        : MostT12ATriangle * (lower.Triangles.size() + upper.Triangles.size());
+    }
+    std::optional<SlabTetrahedra> all =
+      most > 0 ? BuildJointVoronoi(cells, most) : std::optional<SlabTetrahedra>();
+    if (!all)
+    {
+      slab.Diagram = BuildBoundaryVoronoi(cells, slab.Joins);
+      return;
+    }
+    slab.Diagram = std::move(*all);
+    EliminateTetrahedra(lower, upper, slab.Joins, slab.Diagram);
   }
 
   const SlabTetrahedra* DiagramOrNull(int slab) const
@@ -304,6 +335,7 @@ private:
 
   const ContourSet& Contours;
   const PolyhedralOptions& Options;
+  TetrahedraWanted Wanted;
   StageRunner Runner;
   PolyhedralStages Out;
   std::vector<LevelState>& Levels = Out.Levels;
@@ -312,7 +344,7 @@ private:
 }
 
 PolyhedralStages BuildPolyhedralStages(const ContourSet& contours, const PolyhedralOptions& options,
-  Monitor& monitor, double progressEnd)
+  Monitor& monitor, double progressEnd, TetrahedraWanted wanted)
 {
   if (!contours.Parallel)
   {
@@ -330,7 +362,7 @@ PolyhedralStages BuildPolyhedralStages(const ContourSet& contours, const Polyhed
   auto shifted = alignment.IsEmpty() ? std::unique_ptr<ContourSet>()
                                      : std::make_unique<ContourSet>(Aligned(contours, alignment));
   PolyhedralStages stages =
-    Builder(shifted ? *shifted : contours, options, monitor, progressEnd).Build();
+    Builder(shifted ? *shifted : contours, options, monitor, progressEnd, wanted).Build();
   stages.Report.insert(stages.Report.begin(), alignment.Report.begin(), alignment.Report.end());
   stages.Alignment = std::move(alignment);
   stages.Shifted = std::move(shifted);

@@ -35,10 +35,18 @@ struct PolyhedralStages
   std::vector<std::pair<std::string, double>> StageSeconds; ///< wall time by stage
 };
 
+/// Which tetrahedra are made.
+enum class TetrahedraWanted
+{
+  All,          ///< of every slab
+  ForSurface,   ///< all, but where they are too many those only that bear on the boundary
+  BoundaryOnly, ///< in every slab whose levels allow it; what tests compare with All
+};
+
 /// @throws Error where the contours are not parallel or span fewer than two levels; Aborted.
 /// Progress runs from 0 to progressEnd.
 PolyhedralStages BuildPolyhedralStages(const ContourSet& contours, const PolyhedralOptions& options,
-  Monitor& monitor, double progressEnd = 1);
+  Monitor& monitor, double progressEnd = 1, TetrahedraWanted wanted = TetrahedraWanted::All);
 }
 
 #endif

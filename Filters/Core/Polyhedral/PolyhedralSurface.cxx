@@ -184,10 +184,11 @@ private:
 };
 }
 
-PolyhedralSurface BuildPolyhedralSurface(
-  const ContourSet& contours, const PolyhedralOptions& options, Monitor& monitor)
+PolyhedralSurface BuildPolyhedralSurface(const ContourSet& contours,
+  const PolyhedralOptions& options, Monitor& monitor, TetrahedraWanted wanted)
 {
-  const PolyhedralStages stages = BuildPolyhedralStages(contours, options, monitor, StagesShare);
+  const PolyhedralStages stages =
+    BuildPolyhedralStages(contours, options, monitor, StagesShare, wanted);
   const auto start = std::chrono::steady_clock::now();
   PolyhedralSurface surface = SurfaceWriter(contours, options, stages, monitor).Write();
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;

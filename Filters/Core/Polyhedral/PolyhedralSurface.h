@@ -12,6 +12,7 @@
 #include "Mesh/TriangleMesh.h"
 #include "Polyhedral/LevelTriangulation.h"
 #include "Polyhedral/PolyhedralOptions.h"
+#include "Polyhedral/PolyhedralStages.h"
 
 #include <string>
 #include <utility>
@@ -53,8 +54,10 @@ struct PolyhedralSurface
 };
 
 /// @throws Error where the contours span fewer than two levels; Aborted.
-PolyhedralSurface BuildPolyhedralSurface(
-  const ContourSet& contours, const PolyhedralOptions& options, Monitor& monitor);
+/// The surface is the same whichever tetrahedra are wanted.
+PolyhedralSurface BuildPolyhedralSurface(const ContourSet& contours,
+  const PolyhedralOptions& options, Monitor& monitor,
+  TetrahedraWanted wanted = TetrahedraWanted::ForSurface);
 }
 
 #endif

@@ -40,7 +40,7 @@ private:
       const auto& cell = this->Solid.Cells[c];
       for (int k = 0; k < 4; ++k)
       {
-        if (cell.Neighbours[k] >= 0)
+        if (cell.Neighbours[k] != -1)
         {
           continue;
         }
@@ -57,7 +57,7 @@ private:
   }
 
   /// Partner of edge j of a face (from its corner j to the next): 3 * face + edge of the face
-  /// reached by turning around the edge through the solid.
+  /// reached by turning around the edge through the solid. All that lies in a gap has the edge, too.
   int Turn(int face, int j) const
   {
     const auto& points = this->Boundary.Faces[face].Points;
@@ -75,7 +75,7 @@ private:
         ++leave;
       }
       const int next = this->Solid.Cells[cell].Neighbours[leave];
-      if (next < 0)
+      if (next == -1)
       {
         const int other = this->FaceOf[cell][leave];
         const auto& otherPoints = this->Boundary.Faces[other].Points;
@@ -83,18 +83,41 @@ private:
         const int edge = otherPoints[0] == b ? 0 : (otherPoints[1] == b ? 1 : 2);
         return 3 * other + edge;
       }
-      const auto& back = this->Solid.Cells[next].Neighbours;
-      entered = static_cast<int>(std::find(back.begin(), back.end(), cell) - back.begin());
-      cell = next;
+      const bool gap = SlabTetrahedra::IsGap(next);
+      const int from = gap ? SlabTetrahedra::GapTo(cell) : cell;
+      cell = SlabTetrahedra::Beyond(next);
+      const auto& back = this->Solid.Cells[cell].Neighbours;
+      entered = static_cast<int>(std::find(back.begin(), back.end(), from) - back.begin());
     }
   }
 
+  /// Where two faces meet in an edge they are partners; only where more do, one must turn.
   void PairEdges()
   {
-    this->Partner.resize(3 * this->Boundary.Faces.size());
-    for (std::size_t h = 0; h < this->Partner.size(); ++h)
+    const int count = static_cast<int>(3 * this->Boundary.Faces.size());
+    std::vector<std::pair<std::uint64_t, int>> edges;
+    edges.reserve(count);
+    for (int h = 0; h < count; ++h)
     {
-      this->Partner[h] = this->Turn(static_cast<int>(h / 3), static_cast<int>(h % 3));
+      const auto& points = this->Boundary.Faces[h / 3].Points;
+      edges.emplace_back(KeyOf(points[h % 3], points[(h % 3 + 1) % 3]), h);
+    }
+    std::sort(edges.begin(), edges.end());
+    this->Partner.resize(count);
+    for (int from = 0; from < count;)
+    {
+      int to = from;
+      while (to < count && edges[to].first == edges[from].first)
+      {
+        ++to;
+      }
+      for (int i = from; i < to; ++i)
+      {
+        const int h = edges[i].second;
+        this->Partner[h] =
+          to - from == 2 ? edges[from + to - 1 - i].second : this->Turn(h / 3, h % 3);
+      }
+      from = to;
     }
   }
 

@@ -112,13 +112,27 @@ private:
       {
         cell.Vertices[k] =
           SlabTetrahedra::OnLevel2(t, k) ? upper[t.Corners[k]] : lower[t.Corners[k]];
-        cell.Neighbours[k] = t.Neighbours[k] < 0 ? -1 : cellOf[t.Neighbours[k]];
+        cell.Neighbours[k] = NeighbourOf(t.Neighbours[k], cellOf);
       }
       this->Complex.Cells.push_back(cell);
+    }
+    for (const auto& link : this->Slabs[slab].Diagram.Links)
+    {
+      this->Complex.Links.emplace_back(cellOf[link.first], cellOf[link.second]);
     }
     const int firstT2 = this->Slabs[slab].Diagram.NumberOfT1;
     this->FillGap(slab, slab, lower, cellOf.data(), aboveLower);
     this->FillGap(slab, slab + 1, upper, cellOf.data() + firstT2, belowUpper);
+  }
+
+  /// The same neighbour by number of its cell.
+  static int NeighbourOf(int tetrahedron, const std::vector<int>& cellOf)
+  {
+    if (SlabTetrahedra::IsGap(tetrahedron))
+    {
+      return SlabTetrahedra::GapTo(cellOf[SlabTetrahedra::Beyond(tetrahedron)]);
+    }
+    return tetrahedron < 0 ? -1 : cellOf[tetrahedron];
   }
 
   /**

@@ -20,6 +20,7 @@
 #include "Polyhedral/SlabState.h"
 
 #include <array>
+#include <utility>
 #include <vector>
 
 namespace recon
@@ -45,14 +46,17 @@ struct SolidComplex
 
   struct Cell
   {
-    std::array<int, 4> Vertices;   ///< positively oriented
-    std::array<int, 4> Neighbours; ///< across the face opposite vertex k; -1: not solid there
+    std::array<int, 4> Vertices; ///< positively oriented
+    /// Across the face opposite vertex k; -1: not solid there; as in SlabTetrahedra, GapTo(c) where
+    /// solid that is not named here lies between this cell and c.
+    std::array<int, 4> Neighbours;
     int Slab; ///< -1 and the number of levels less one: beyond the first and the last level
     PartType Part;
   };
 
   std::vector<Vertex> Vertices;
   std::vector<Cell> Cells;
+  std::vector<std::pair<int, int>> Links; ///< cells that solid which is not named holds together
 };
 
 /**
