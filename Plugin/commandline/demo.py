@@ -38,9 +38,21 @@ def view_from(direction, centre, half_height):
     return view
 
 
+def smooth(producer):
+    """Normals for shading; the filter has another name from ParaView 5.13 on."""
+    surface_normals = getattr(simple, "SurfaceNormals", None) or simple.GenerateSurfaceNormals
+    return surface_normals(Input=producer, FeatureAngle=50.0, Splitting=1)
+
+
+def move(shown, position):
+    """Puts a representation elsewhere; the property has another name from ParaView 5.13 on."""
+    name = "Translation" if shown.GetProperty("Translation") else "Position"
+    shown.SetPropertyWithName(name, list(position))
+
+
 def show_surface(producer, view, colour, position=(0.0, 0.0, 0.0), opacity=1.0):
     """Shaded smoothly, but for edges that are really sharp, such as the flat end at the neck."""
-    normals = simple.GenerateSurfaceNormals(Input=producer, FeatureAngle=50.0, Splitting=1)
+    normals = smooth(producer)
     shown = simple.Show(normals, view)
     shown.Representation = "Surface"
     shown.ColorArrayName = ["POINTS", ""]
@@ -50,7 +62,7 @@ def show_surface(producer, view, colour, position=(0.0, 0.0, 0.0), opacity=1.0):
     shown.SpecularPower = 25.0
     shown.Ambient = 0.08
     shown.Opacity = opacity
-    shown.Position = list(position)
+    move(shown, position)
     return normals
 
 
@@ -69,7 +81,7 @@ def show_contours(producer, view, position):
         shown.AmbientColor = shown.DiffuseColor = INK if depth % 2 == 0 else RED
         shown.Opacity = 0.55
         shown.LineWidth = 1.0
-        shown.Position = list(position)
+        move(shown, position)
         nodes.insert(0, level)
     return nodes
 

@@ -28,6 +28,9 @@ namespace recon
 {
 namespace
 {
+/// By number, as DCMTK's name of it has changed.
+const DcmTagKey EthnicGroup(0x0010, 0x2160);
+
 constexpr std::size_t LongestLabel = 16;
 
 std::array<int, 3> ColorOf(const StructureSetROI& roi)
@@ -136,7 +139,7 @@ void Formatter::AddPatientAndStudy()
   }
   for (const DcmTagKey& key : { DCM_PatientName, DCM_PatientID, DCM_IssuerOfPatientID,
          DCM_IssuerOfPatientIDQualifiersSequence, DCM_PatientBirthDate, DCM_PatientBirthTime,
-         DCM_PatientSex, DCM_OtherPatientIDsSequence, DCM_EthnicGroup, DCM_PatientComments,
+         DCM_PatientSex, DCM_OtherPatientIDsSequence, EthnicGroup, DCM_PatientComments,
          DCM_PatientSpeciesDescription, DCM_PatientSpeciesCodeSequence, DCM_PatientSexNeutered,
          DCM_PatientBreedDescription, DCM_PatientBreedCodeSequence, DCM_BreedRegistrationSequence,
          DCM_ResponsiblePerson, DCM_ResponsiblePersonRole, DCM_ResponsibleOrganization,

@@ -4,10 +4,16 @@
 #include "Base/BoundingBox.h"
 #include "Base/Predicates.h"
 
-#include <CGAL/AABB_segment_primitive.h>
-#include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/version.h>
+#if CGAL_VERSION_MAJOR >= 6
+#include <CGAL/AABB_segment_primitive_3.h>
+#include <CGAL/AABB_traits_3.h>
+#else
+#include <CGAL/AABB_segment_primitive.h>
+#include <CGAL/AABB_traits.h>
+#endif
 
 #include <algorithm>
 #include <array>
@@ -21,8 +27,13 @@ namespace
 {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Edges = std::vector<Kernel::Segment_3>;
+#if CGAL_VERSION_MAJOR >= 6 // since then the names say of how many dimensions
+using Primitive = CGAL::AABB_segment_primitive_3<Kernel, Edges::const_iterator>;
+using Tree = CGAL::AABB_tree<CGAL::AABB_traits_3<Kernel, Primitive>>;
+#else
 using Primitive = CGAL::AABB_segment_primitive<Kernel, Edges::const_iterator>;
 using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
+#endif
 
 Kernel::Point_3 At(const Point2& p)
 {

@@ -10,14 +10,29 @@
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 
+#include <boost/variant.hpp>
+
 #include <algorithm>
 #include <random>
+#include <variant>
 
 using namespace recon;
 using namespace recon::testing;
 
 namespace
 {
+/// An intersection is a variant of the standard library since CGAL 6, of Boost before.
+template <typename Part, typename... Parts>
+const Part* PartOf(const std::variant<Parts...>* common)
+{
+  return std::get_if<Part>(common);
+}
+template <typename Part, typename Variant>
+const Part* PartOf(const Variant* common)
+{
+  return boost::get<Part>(common);
+}
+
 SelfIntersections Find(const TriangleMesh& mesh, int threads = 0)
 {
   Monitor monitor;
@@ -52,12 +67,12 @@ public:
       return PairRelation::Clean;
     }
     const auto shared = Shared(mesh, s, t);
-    if (const auto* point = boost::get<Point>(&*common))
+    if (const auto* point = PartOf<Point>(&*common))
     {
       const bool clean = shared.size() == 1 && shared[0] == *point;
       return clean ? PairRelation::Clean : PairRelation::Touching;
     }
-    if (const auto* segment = boost::get<Segment>(&*common))
+    if (const auto* segment = PartOf<Segment>(&*common))
     {
       const bool clean = shared.size() == 2 &&
         (Segment(shared[0], shared[1]) == *segment || Segment(shared[1], shared[0]) == *segment);
