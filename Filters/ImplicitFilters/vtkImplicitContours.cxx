@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkImplicitContours.h"
 
-#include "Base/Median.h"
 #include "ContourConversion.h"
 #include "Contours/Specks.h"
 #include "Implicit/ZeroSet/ContourTracer.h"
@@ -22,8 +21,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
 #include <optional>
 #include <string>
 
@@ -31,10 +28,6 @@ vtkStandardNewMacro(vtkImplicitContours);
 
 namespace
 {
-/// So near to the outermost contour points, as a part of the planes' distance, a plane that tells no
-/// tolerance of its own is theirs.
-constexpr double BesideContours = 0.05;
-
 double FirstOf(vtkFieldData* data, const char* name, double otherwise)
 {
   vtkDataArray* array = data ? data->GetArray(name) : nullptr;
@@ -65,40 +58,11 @@ recon::TracerOptions OptionsOf(
   return options;
 }
 
-/// How far beyond the outermost contour points a plane of the second input may lie.
-double ToleranceOf(vtkDataObject* second, const std::vector<recon::TracePlane>& planes)
+/// How far beyond the outermost contour points a plane of the second input may lie, if it tells.
+std::optional<double> ToleranceOf(vtkDataObject* second)
 {
-  std::vector<double> gaps;
-  for (std::size_t p = 1; p < planes.size(); ++p)
-  {
-    gaps.push_back(std::abs(planes[p].Offset - planes[p - 1].Offset));
-  }
-  return FirstOf(
-    second->GetFieldData(), "ContourTolerance", BesideContours * recon::Median(std::move(gaps)));
-}
-
-/// Without the planes that lie beyond all contours, which Report tells.
-std::vector<recon::TracePlane> OnlyWithin(const std::vector<recon::TracePlane>& planes,
-  vtkDataObject* second, const std::vector<recon::Point3>& drawn, std::vector<std::string>& report)
-{
-  std::vector<recon::TracePlane> within =
-    recon::PlanesWithin(planes, drawn, ToleranceOf(second, planes));
-  if (within.empty() && !planes.empty())
-  {
-    throw recon::Error("No plane of " + std::to_string(planes.size()) +
-      " lies between the outermost contour points: are they of the same patient, in the same frame "
-      "of reference? Extrapolate traces beyond the contours as well.");
-  }
-  const std::size_t beyond = planes.size() - within.size();
-  if (beyond > 0)
-  {
-    report.push_back(
-      "Planes beyond the outermost contour points, where nothing was drawn, were left "
-      "out: " +
-      std::to_string(beyond) + " of " + std::to_string(planes.size()) +
-      " (Extrapolate traces them, too).");
-  }
-  return within;
+  const double told = FirstOf(second->GetFieldData(), "ContourTolerance", -1);
+  return told < 0 ? std::nullopt : std::optional<double>(told);
 }
 
 /// The slices of an image, through its pixels' centres, whatever way it is turned.
@@ -196,7 +160,7 @@ int vtkImplicitContours::RequestData(
       std::vector<recon::TracePlane> planes = PlanesOf(second, this, seeds);
       if (second && !this->Extrapolate)
       {
-        planes = OnlyWithin(planes, second, seeds, report);
+        planes = recon::OnlyPlanesWithin(planes, seeds, ToleranceOf(second), report);
       }
       vtkContourMonitor tracing(this);
       const recon::ContourSet contours =

@@ -18,8 +18,8 @@ NODES = {
     "certificate": ["SurfaceCertificate"], "write_structure_set": ["DICOMRTStructureSetWriter"],
     "read_slice_planes": ["DICOMSlicePlanes"],
 }
-#: What is an argument, or part of the result, in Python.
-ARGUMENTS = {"Input", "Contours", "Overrides", "Planes", "Report", "FileName"}
+#: What is an argument in Python; inputs are, too, and what a node only tells is in the result.
+ARGUMENTS = {"FileName"}
 wrong = []
 
 
@@ -37,7 +37,7 @@ def properties(proxy, everyone):
     base = proxy.get("base_proxyname")
     result = properties(everyone[base], everyone) if base else {}
     for entry in proxy:
-        if entry.tag.endswith("VectorProperty") or entry.tag == "InputProperty":
+        if entry.tag.endswith("VectorProperty") and not entry.get("information_only"):
             result[entry.get("name")] = entry
     return {name: entry for name, entry in result.items() if name not in ARGUMENTS}
 

@@ -312,6 +312,14 @@ def given(contours: Contours) -> dict[str, Any]:
     return result
 
 
+def given_planes(planes: Contours) -> dict[str, Any]:
+    """The same of contours whose planes are wanted, with what those of a series tell of its images."""
+    tolerance = planes.field_data.get("ContourTolerance")
+    pixels = np.ravel(planes.cell_data.get("PixelArea", 0.0))
+    return {**given(planes), "pixel_area": float(pixels[0]) if pixels.size else 0.0,
+            "tolerance": None if tolerance is None else float(np.ravel(tolerance)[0])}
+
+
 def _taken(values: Any, source: Array) -> Any:
     return values[source] if isinstance(values, np.ndarray) else [values[i] for i in source]
 

@@ -28,7 +28,8 @@ def read(path: Path, *, progress: Progress = None) -> Union[Contours, Regions]:
     Parameters
     ----------
     path : str or path
-        A NUAGES file (.cnt), a cross-section set or curve network (.csl, .contour), or a DICOM RT structure set.
+        A NUAGES file (.cnt), a cross-section set or curve network (.csl, .contour), a DICOM RT structure set, or what
+        `read_traces` reads.
     progress : callable, optional
         See `contour_hierarchy`.
 
@@ -51,6 +52,8 @@ def read(path: Path, *, progress: Progress = None) -> Union[Contours, Regions]:
     _with_dictionary()
     if kind != "BRep" and (_core.is_structure_set(name) or name.lower().endswith(".dcm")):
         return read_structure_set(path, progress=progress)
+    if not kind and _core.trace_format_of(name):
+        return read_traces(path, progress=progress)
     if kind == "BRep" or name.lower().endswith(".brep"):
         raise _core.Error(f"Cannot read {name} as contours: it is a boundary representation, for read_brep.")
     what = "contours of a format that is known here" if os.path.exists(name) else "a file"
@@ -129,6 +132,42 @@ def read_curve_network(path: Path, *, progress: Progress = None) -> Union[Contou
         materials[0].report = made["report"]
         return materials[0]
     return Regions(((f"Material {each.field_data['Material']}", each) for each in materials), made["report"])
+
+
+def read_traces(path: Union[Path, Iterable[Path]], *, SliceSpacing: float = 1, PixelSize: float = 1,
+                progress: Progress = None) -> Regions:
+    """Read what tracing and drawing programs save, told by what is in the file.
+
+    Parameters
+    ----------
+    path : str or path, or several of drawings
+        An IMOD model, ROIs of ImageJ (.roi, .zip), a series of Reconstruct or PyReconstruct, drawings (.svg, a slice
+        each), or a table with columns x, y and a slice or contour (.csv).
+    SliceSpacing : float, default: 1
+        Distance of the slices, in the unit of the result, where the file tells none; negative: towards -z.
+    PixelSize : float, default: 1
+        What one unit of the drawing is in the unit of the result, where the file tells none.
+    progress : callable, optional
+        See `contour_hierarchy`.
+
+    Returns
+    -------
+    Regions
+        Contours by the name of their object, with the cell data GeometricType and Slice, and the field data ROIName,
+        ROINumber, ROIColor and LengthUnit.
+
+    Raises
+    ------
+    Error
+        Where the file is none of these, or not whole; the sentence names file and place.
+    """
+    paths = [path] if isinstance(path, (str, os.PathLike)) else list(path)
+    if not paths:
+        raise _core.Error("There is no file to read: give the name of one.")
+    stack = checked({"SliceSpacing": SliceSpacing, "PixelSize": PixelSize})
+    made = _core.read_traces([os.fspath(each) for each in paths], stack["SliceSpacing"], stack["PixelSize"], progress)
+    objects = [make_contours(each) for each in made["objects"]]
+    return Regions(((each.field_data["ROIName"], each) for each in objects), made["report"])
 
 
 def list_rois(path: Path) -> list[dict[str, Any]]:

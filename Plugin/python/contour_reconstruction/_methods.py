@@ -10,7 +10,7 @@ import numpy.typing as npt
 
 from . import _core
 from ._data import (Certificate, ContourMapping, Contours, ContoursLike, ContourWarning, Progress, Surface, SurfaceLike,
-                    contours_of, given, inherited, make_contours, make_surface, surface_of)
+                    contours_of, given, given_planes, inherited, make_contours, make_surface, surface_of)
 from ._properties import checked
 
 #: Where a larger part of the contours is left out, a line in the report is not enough.
@@ -293,7 +293,7 @@ def implicit_surface(contours: ContoursLike, *, Detail: Choice = "Full", Mode: C
 
 
 def contours_on_planes(contours: ContoursLike, planes: Union[Contours, npt.ArrayLike, None] = None, *,
-                       PlaneNormal: Sequence[float] = (0, 0, 1), UseRange: bool = False,
+                       Extrapolate: bool = False, SmallestArea: float = 0, PlaneNormal: Sequence[float] = (0, 0, 1), UseRange: bool = False,
                        Range: Sequence[float] = (0, 1), Spacing: float = 0, Mode: Choice = "Margins",
                        Values: Choice = "Distance", Normals: Choice = "Refined", MarginDistance: float = 0,
                        ReachAcrossSteps: bool = False, MergeBox: float = 0, ThinOut: bool = True,
@@ -316,6 +316,11 @@ def contours_on_planes(contours: ContoursLike, planes: Union[Contours, npt.Array
         The planes of such contours (`read_slice_planes` gives those of a DICOM series); or a, b, c, d of each plane,
         whose points x have the product ``x @ (a, b, c) / |(a, b, c)|`` equal to d. Without it, parallel planes by the
         next four arguments.
+    Extrapolate : bool, default: False
+        Trace also on those of `planes` that lie beyond the outermost contour points, where nobody drew anything.
+    SmallestArea : float, default: 0
+        Contours that enclose less, in square units, are left out; 0: those that are smaller than a pixel of the
+        images, where `planes` tell it, and than half of any contour that was drawn; negative: none.
     PlaneNormal : sequence of 3 float, default: (0, 0, 1)
         Normal of the parallel planes, of any length.
     UseRange : bool, default: False
@@ -343,7 +348,7 @@ Bounds, MaximumCells, HoleRule, OpenLines, PlaneTolerance, SnapTolerance, Thread
     """
     source = contours_of(contours)
     if planes is None or isinstance(planes, Contours):
-        where: Any = given(planes) if isinstance(planes, Contours) else None
+        where: Any = given_planes(planes) if isinstance(planes, Contours) else None
     else:
         where = [[float(number) for number in plane] for plane in planes]  # type: ignore[union-attr]
         if any(len(plane) != 4 for plane in where):

@@ -43,6 +43,9 @@ RANGES: dict[str, tuple[float, float]] = {
     "CellSize": (0, math.inf),
     "Spacing": (0, math.inf),
     "MaximumCells": (1, math.inf),
+    "SmallestArea": (-math.inf, math.inf),
+    "SliceSpacing": (-math.inf, math.inf),
+    "PixelSize": (0, math.inf),
 }
 
 #: Property -> how many numbers it has.
@@ -51,6 +54,7 @@ TUPLES: dict[str, int] = {"Bounds": 6, "PlaneNormal": 3, "Range": 2}
 FLAGS = frozenset({
     "ParallelPlanesOnly", "InternalPoints", "LiftInternalPoints", "ReachAcrossSteps", "ThinOut", "FillLongEdges",
     "FollowDrawnPlanes", "UseBounds", "ClosedAtBounds", "CleanUp", "SnapToContours", "UseRange", "Weld",
+    "Extrapolate",
     "CopyReferenceROIs",
 })
 PAIRS = frozenset({"ForcedJoins", "ForbiddenJoins"})

@@ -13,4 +13,5 @@ NB_MODULE(_core, module)
   BindSurfaces(module);
   BindFiles(module);
   BindStructureSets(module);
+  BindTraces(module);
 }

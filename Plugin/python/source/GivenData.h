@@ -65,6 +65,7 @@ void BindContours(nb::module_& module);
 void BindSurfaces(nb::module_& module);
 void BindFiles(nb::module_& module);
 void BindStructureSets(nb::module_& module);
+void BindTraces(nb::module_& module);
 }
 
 #endif

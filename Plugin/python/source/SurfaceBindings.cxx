@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Polyhedral Surface, Implicit Surface, Implicit Contours and Surface Certificate for Python.
 #include "Base/SubMonitor.h"
+#include "Contours/Specks.h"
 #include "GivenData.h"
 #include "Implicit/ZeroSet/ContourTracer.h"
 #include "Mesh/CertificateText.h"
@@ -8,6 +9,7 @@
 #include "Polyhedral/PolyhedralSurface.h"
 #include "PythonMonitor.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace recon
@@ -152,6 +154,10 @@ struct TracingTask
   Vector3 Normal{};
   std::optional<std::array<double, 2>> Range;
   double Spacing = 0;
+  bool Extrapolate = false;
+  double SmallestArea = 0;
+  double PixelArea = 0;            ///< of the images that the planes are of, or 0
+  std::optional<double> Tolerance; ///< of the given planes
 };
 
 TracingTask TracingTaskOf(const nb::dict& loops, nb::handle planes, const nb::dict& properties)
@@ -183,6 +189,16 @@ TracingTask TracingTaskOf(const nb::dict& loops, nb::handle planes, const nb::di
       nb::cast<double>(properties["Range"][1]) };
   }
   task.Spacing = ValueOf<double>(properties, "Spacing");
+  task.Extrapolate = ValueOf<bool>(properties, "Extrapolate");
+  task.SmallestArea = ValueOf<double>(properties, "SmallestArea");
+  if (task.PlanesOfLoops)
+  {
+    const auto given = nb::borrow<nb::dict>(planes);
+    task.PixelArea = ValueOf<double>(given, "pixel_area");
+    const nb::object tolerance = given["tolerance"];
+    task.Tolerance =
+      tolerance.is_none() ? std::nullopt : std::optional<double>(nb::cast<double>(tolerance));
+  }
   return task;
 }
 
@@ -213,7 +229,16 @@ Made<ContourSet> Trace(const TracingTask& task, Monitor& monitor)
     made.Report.insert(made.Report.end(), lines->begin(), lines->end());
   }
   const std::vector<Point3> seeds = SeedsOf(fit.Function);
-  made.Output = TraceContours(fit.Function, seeds, PlanesOf(task, seeds), task.Tracer, tracing);
+  std::vector<TracePlane> planes = PlanesOf(task, seeds);
+  if ((task.Planes || task.PlanesOfLoops) && !task.Extrapolate)
+  {
+    planes = OnlyPlanesWithin(planes, seeds, task.Tolerance, made.Report);
+  }
+  TracerOptions options = task.Tracer;
+  options.SmallestArea = task.SmallestArea != 0
+    ? std::max(0.0, task.SmallestArea)
+    : SpeckArea(task.PixelArea, SmallestArea(made.Contours));
+  made.Output = TraceContours(fit.Function, seeds, planes, options, tracing);
   return made;
 }
 

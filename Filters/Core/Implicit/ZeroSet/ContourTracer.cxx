@@ -2,6 +2,7 @@
 #include "Implicit/ZeroSet/ContourTracer.h"
 
 #include "Base/BoundingBox.h"
+#include "Base/Median.h"
 #include "Base/SubMonitor.h"
 #include "Contours/ContourSetBuilder.h"
 #include "Contours/Specks.h"
@@ -13,6 +14,7 @@
 #include <cmath>
 #include <limits>
 #include <unordered_map>
+#include <utility>
 
 namespace recon
 {
@@ -20,6 +22,10 @@ namespace
 {
 /// Where a spacing of 0 asks for planes, there are this many intervals.
 constexpr double AutomaticIntervals = 20;
+
+/// So near to the outermost contour points, as a part of the planes' distance, a plane that tells no
+/// tolerance of its own is theirs.
+constexpr double BesideContours = 0.05;
 
 /// Roots nearer to the one before than this part of a cell are left out: they say nothing but make
 /// slivers.
@@ -443,6 +449,34 @@ std::vector<TracePlane> ParallelPlanesThrough(const std::vector<Point3>& seeds,
   }
   return ParallelPlanes(
     normal, from, to, spacing == 0 ? (to - from) / AutomaticIntervals : spacing);
+}
+
+std::vector<TracePlane> OnlyPlanesWithin(const std::vector<TracePlane>& planes,
+  const std::vector<Point3>& drawn, std::optional<double> tolerance,
+  std::vector<std::string>& report)
+{
+  std::vector<double> gaps;
+  for (std::size_t p = 1; p < planes.size(); ++p)
+  {
+    gaps.push_back(std::abs(planes[p].Offset - planes[p - 1].Offset));
+  }
+  std::vector<TracePlane> within =
+    PlanesWithin(planes, drawn, tolerance ? *tolerance : BesideContours * Median(std::move(gaps)));
+  if (within.empty() && !planes.empty())
+  {
+    throw Error("No plane of " + std::to_string(planes.size()) +
+      " lies between the outermost contour points: are they of the same patient, in the same frame "
+      "of reference? Extrapolate traces beyond the contours as well.");
+  }
+  const std::size_t beyond = planes.size() - within.size();
+  if (beyond > 0)
+  {
+    report.push_back("Planes beyond the outermost contour points, where nothing was drawn, were "
+                     "left out: " +
+      std::to_string(beyond) + " of " + std::to_string(planes.size()) +
+      " (Extrapolate traces them, too).");
+  }
+  return within;
 }
 
 std::vector<TracePlane> PlanesOf(const ContourSet& contours)

@@ -12,6 +12,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace recon
@@ -62,6 +63,17 @@ std::vector<TracePlane> PlanesWithin(
 /// the units of the input). Spacing 0 takes a twentieth of that. @throws Error on bad numbers.
 std::vector<TracePlane> ParallelPlanesThrough(const std::vector<Point3>& seeds,
   const Vector3& normal, const std::optional<std::array<double, 2>>& range, double spacing);
+
+/**
+ * Without the planes that lie beyond all drawn points, which report tells.
+ *
+ * @param tolerance how far beyond the outermost points a plane may lie; not given: a twentieth of
+ * the planes' median distance
+ * @throws Error where none is left
+ */
+std::vector<TracePlane> OnlyPlanesWithin(const std::vector<TracePlane>& planes,
+  const std::vector<Point3>& drawn, std::optional<double> tolerance,
+  std::vector<std::string>& report);
 
 /// The planes of a contour set's levels.
 std::vector<TracePlane> PlanesOf(const ContourSet& contours);
