@@ -64,7 +64,7 @@ def verdicts(wrong):
     cases = (("no difference", same), ("holds: no better at half or double", worse), ("not read by any scene", []),
              ("**half is nearer on both halves**", [run("first", 0.5, 0.9), run("second", 0.5, 0.8), *worse[1:2], *worse[3:]]),
              ("half is nearer on the first half; the other does not agree", [run("first", 0.5, 0.9), worse[2]]),
-             ("half is nearer on the first half; the other does not read it", [run("first", 0.5, 0.9)]),
+             ("half is nearer on the first half; the other has no run of it", [run("first", 0.5, 0.9)]),
              ("holds: no better at half or double", [run("first", 0.5, 0.9, crossing=3), run("second", 0.5, 0.8, crossing=3)]),
              ("holds: no better at half or double", [run("first", 2.0, 0.9, "ends by signal 6"), worse[3]]))
     for expected, runs in cases:

@@ -18,7 +18,7 @@ CONSTANT = re.compile(r"^(\s*)(static |inline )?constexpr (double|int|std::size_
 LIST = re.compile(r"^(\s*)(static |inline )?constexpr (double|int) (\w+)\[\] = \{ ([^;]+) \};(.*)$")
 STRUCTURE = re.compile(r"^(\s*)(static |inline )?constexpr ([A-Z]\w+) (\w+)\{ ([^{};]+) \};(.*)$")
 # No matter of taste: mathematics, names for "none", and limits of a number's bits.
-FIXED = {"Pi", "DegreesPerRadian", "RadiansPerDegree", "infinity", "Outside", "NoContour", "NoGroup", "None", "Unset", "bothSides",
+FIXED = {"Pi", "DegreesPerRadian", "RadiansPerDegree", "infinity", "Infinity", "Outside", "NoContour", "NoGroup", "None", "Unset", "bothSides",
          "Deepest", "DeepestLevel", "MaximumCells", "DefectAnyError"}
 SIZE = re.compile(r"(?:array<[^;{}()]*?\b{0}\b|\[[^\]\n]*\b{0}\b[^\]\n]*\]|Matrix<[^;{}()]*?\b{0}\b|<{0}>|case {0}\b)"
                   .replace("{0}", "NAME"))
