@@ -140,6 +140,43 @@ TEST(DrawnSections, AnEmptyPlaneEndsTheSolid)
   EXPECT_GT(fit.Function.Value({ 0, 0, 4.5 }), 0) << "a plane across the stack is not used";
 }
 
+TEST(DrawnSections, HolesThatNobodyDrewAndLostContoursCountHoweverSmall)
+{
+  // Tolerances that let everything else pass.
+  SectionTolerances only;
+  only.Depth = 100;
+  only.Area = 10;
+  only.WaistArea = 10;
+  const ContourSet ball = handmade::SphereSlices({ 0, 0, 0 }, 10, 9, 36);
+  const ContourFit fit = Fit(ball);
+  Monitor monitor;
+  EXPECT_TRUE(DrawnSections(ball, {}, 1, only).Compare(fit.Function, 1, monitor).Sections.empty());
+
+  std::vector<Point3> places = fit.Constraints.Points;
+  std::vector<double> values = fit.Constraints.Values;
+  places.push_back({ 3, 0, ball.Levels[4].Offset });
+  values.push_back(-2);
+  const ImplicitFunction holed = FitImplicitFunction(places, values, FunctionOptions(), monitor);
+  const auto found = DrawnSections(ball, {}, 1, only).Compare(holed, 1, monitor);
+  EXPECT_EQ(std::count(found.Sections.begin(), found.Sections.end(), 8), 1) << "the fifth plane";
+  EXPECT_FALSE(found.Places.empty());
+
+  handmade::Maker maker;
+  for (int i = 0; i < 9; ++i)
+  {
+    const double z = ball.Levels[i].Offset;
+    const int level = maker.AddLevel({ 0, 0, 1 }, z);
+    maker.AddCircle(level, { 0, 0 }, std::sqrt(100 - z * z), 36);
+    if (i == 4)
+    {
+      maker.AddCircle(level, { 12, 0 }, 0.8, 16);
+    }
+  }
+  const ContourSet more = maker.Finish();
+  const auto lost = DrawnSections(more, {}, 1, only).Compare(fit.Function, 1, monitor);
+  EXPECT_EQ(lost.Sections, std::vector<int>{ 8 });
+}
+
 TEST(DrawnSections, TheResultDoesNotDependOnThreads)
 {
   const ContourSet legs = Legs();

@@ -29,8 +29,11 @@ struct EmptyPlane
 /// What makes a disagreement worth constraints. Lengths are parts of a cell, areas of what is drawn.
 struct SectionTolerances
 {
-  double Depth = 1;       ///< a place so far from all contours of its plane is on the wrong side
-  double Area = 0.015;    ///< so much of a plane's drawn area is, in all
+  double Depth = 1;    ///< a place so far from all contours of its plane is on the wrong side
+  double Area = 0.015; ///< so much of a plane's drawn area is, in all
+  /// A hole or an island that nobody drew has so much, in cells; a smaller one cannot be seen.
+  double Island = 0.25;
+  double Lost = 0.5;      ///< so much of a drawn contour's area is on the other side: it is lost
   double WaistArea = 0.3; ///< so much of a hole, or of a branch, is filled, or gone, between planes
 };
 

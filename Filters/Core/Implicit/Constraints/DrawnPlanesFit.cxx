@@ -28,7 +28,7 @@ public:
   {
     ConstraintSet asked = this->Result.Constraints;
     std::size_t added = 0;
-    DrawnSections::Disagreements wrong = this->Compare(monitor);
+    DrawnSections::Disagreements wrong = this->Compare(0, monitor);
     const std::size_t before = wrong.Sections.size();
     for (int round = 0; round < MostRounds && !wrong.Places.empty(); ++round)
     {
@@ -49,7 +49,7 @@ public:
       SubMonitor fitting(monitor, static_cast<double>(round) / MostRounds,
         static_cast<double>(round + 1) / MostRounds);
       this->Fit(asked, fitting);
-      wrong = this->Compare(fitting);
+      wrong = this->Compare(round + 1, fitting);
     }
     this->Say(added, before, wrong);
   }
@@ -72,9 +72,9 @@ private:
     return places;
   }
 
-  DrawnSections::Disagreements Compare(Monitor& monitor) const
+  DrawnSections::Disagreements Compare(int look, Monitor& monitor) const
   {
-    return this->Sections.Compare(this->Result.Function, this->Function.Threads, monitor);
+    return this->Sections.Compare(this->Result.Function, this->Function.Threads, monitor, look);
   }
 
   void Fit(const ConstraintSet& asked, Monitor& monitor)

@@ -5,6 +5,7 @@
 #include "Base/Parallel.h"
 #include "Base/SubMonitor.h"
 #include "Base/Text.h"
+#include "Implicit/Constraints/SquarePatches.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,8 +19,11 @@ constexpr const char* Stage = "comparing with the drawn planes";
 /// The largest squares of a plane, in cells, a power of two.
 constexpr int CoarseCells = 8;
 /// A small section is looked at by so many squares across, but by none below this part of a cell.
-constexpr double SquaresAcross = 32;
+constexpr double SquaresAcross = 64;
 constexpr double LeastCells = 0.125;
+/// Each look has its squares elsewhere, by so many cells: what is mended at the middles of some is
+/// seen between them. (The golden ratio: no two of a few looks are near each other.)
+constexpr double LookShift = 0.6180339887;
 /// A square whose middle is farther from the surface than this many of its half diagonals has none
 /// in it: to first order one is enough.
 constexpr double SurelyNone = 1.5;
@@ -162,7 +166,7 @@ double DrawnSections::ValueAt(int section, const Point3& p, int side, double roo
   return side * (away > 0 ? room * away / std::hypot(room, away) : room);
 }
 
-std::vector<DrawnSections::Square> DrawnSections::CoarseSquares() const
+std::vector<DrawnSections::Square> DrawnSections::CoarseSquares(int look) const
 {
   std::vector<Square> squares;
   const double size = CoarseCells * this->Cell;
@@ -176,6 +180,8 @@ std::vector<DrawnSections::Square> DrawnSections::CoarseSquares() const
         corner & 4 ? this->Box.High[2] : this->Box.Low[2] }));
     }
     box = box.Grown(0.5 * size);
+    const double shift = std::fmod(look * LookShift, 1.0) * this->Cell;
+    box.Low = { box.Low[0] - shift, box.Low[1] - shift };
     const int columns = static_cast<int>(std::ceil(box.Extent(0) / size));
     const int rows = static_cast<int>(std::ceil(box.Extent(1) / size));
     for (int j = 0; j < rows; ++j)
@@ -189,12 +195,13 @@ std::vector<DrawnSections::Square> DrawnSections::CoarseSquares() const
   return squares;
 }
 
-void DrawnSections::ComparePlanes(const FunctionEvaluator& evaluator, int threads, Monitor& monitor,
-  std::vector<std::vector<ToldPlace>>& places, std::vector<int>& wrong) const
+void DrawnSections::ComparePlanes(const FunctionEvaluator& evaluator, int threads, int look,
+  Monitor& monitor, std::vector<std::vector<ToldPlace>>& places, std::vector<int>& wrong) const
 {
   std::vector<double> area(this->Sections.size(), 0);
   std::vector<char> deep(this->Sections.size(), 0);
-  std::vector<Square> squares = this->CoarseSquares();
+  std::vector<std::vector<PlaneSquare>> small(this->Sections.size());
+  std::vector<Square> squares = this->CoarseSquares(look);
   for (double cells = CoarseCells; cells >= LeastCells && !squares.empty(); cells /= 2)
   {
     const double size = cells * this->Cell;
@@ -250,6 +257,10 @@ void DrawnSections::ComparePlanes(const FunctionEvaluator& evaluator, int thread
         area[q.Section] += size * size;
         deep[q.Section] = deep[q.Section] || told[i].Room > this->Tolerances.Depth * this->Cell;
         places[q.Section].push_back(told[i]);
+        if (cells < 1)
+        {
+          small[q.Section].push_back({ q.Middle, size, told[i].Room });
+        }
       }
       for (int c = 0; c < 4 && verdict[i] == 1; ++c)
       {
@@ -264,7 +275,9 @@ void DrawnSections::ComparePlanes(const FunctionEvaluator& evaluator, int thread
   {
     const bool large =
       this->Sections[s].Area > 0 && area[s] > this->Tolerances.Area * this->Sections[s].Area;
-    wrong[s] = deep[s] || large ? 1 : 0;
+    const bool island =
+      LargestDetachedPatch(small[s]) > this->Tolerances.Island * this->Cell * this->Cell;
+    wrong[s] = deep[s] || large || island ? 1 : 0;
   }
 }
 
@@ -276,7 +289,7 @@ void DrawnSections::SampleContour(
   const Section& from = this->Sections[section];
   const Section& to = this->Sections[other];
   const int inside = c.Depth % 2 == 0 ? PlanarEdges::Inside : PlanarEdges::Outside;
-  const double limit = Horizon * std::abs(to.Height - from.Height);
+  const double limit = Horizon * (section == other ? this->Gap : std::abs(to.Height - from.Height));
   Box2 box;
   for (const int p : c.Points)
   {
@@ -299,6 +312,40 @@ void DrawnSections::SampleContour(
     const double there = this->RoomAt(other, p, limit);
     samples.Told.push_back({ p + (part * (to.Height - from.Height)) * up,
       inside * ((1 - part) * here + part * there), std::min(here, there) });
+  }
+}
+
+/// Contours that are lost: small ones beside the rest of their plane.
+void DrawnSections::CompareContours(const FunctionEvaluator& evaluator, Monitor& monitor,
+  std::vector<std::vector<ToldPlace>>& places, std::vector<int>& wrong) const
+{
+  for (int s = 0; s < static_cast<int>(this->Sections.size()); ++s)
+  {
+    if (this->Sections[s].Level < 0)
+    {
+      continue;
+    }
+    for (const int c : this->Drawn.Levels[this->Sections[s].Level].Contours)
+    {
+      Between samples;
+      this->SampleContour(s, s, c, 0, samples);
+      std::vector<Point3> points;
+      for (const ToldPlace& told : samples.Told)
+      {
+        points.push_back(told.Place);
+      }
+      const std::vector<double> f = evaluator.Values(points, monitor);
+      double missed = 0;
+      for (std::size_t i = 0; i < f.size(); ++i)
+      {
+        missed += (f[i] > 0) != (samples.Told[i].Value > 0) ? 1 : 0;
+      }
+      if (missed > this->Tolerances.Lost * static_cast<double>(f.size()))
+      {
+        wrong[s] = 1;
+        places[s].insert(places[s].end(), samples.Told.begin(), samples.Told.end());
+      }
+    }
   }
 }
 
@@ -410,7 +457,7 @@ void DrawnSections::Spread(
 }
 
 DrawnSections::Disagreements DrawnSections::Compare(
-  const ImplicitFunction& function, int threads, Monitor& monitor) const
+  const ImplicitFunction& function, int threads, Monitor& monitor, int look) const
 {
   const FunctionEvaluator evaluator(function, threads);
   const std::size_t count = this->Sections.size();
@@ -420,7 +467,8 @@ DrawnSections::Disagreements DrawnSections::Compare(
   std::vector<int> wrongPlanes(count, 0);
   std::vector<int> wrongBetween(count, 0);
   AbortMonitor stop(monitor);
-  this->ComparePlanes(evaluator, threads, stop, onPlanes, wrongPlanes);
+  this->ComparePlanes(evaluator, threads, look, stop, onPlanes, wrongPlanes);
+  this->CompareContours(evaluator, stop, onPlanes, wrongPlanes);
   this->CompareBetween(evaluator, stop, between, wrongBetween);
   for (std::size_t s = 0; s < count; ++s)
   {

@@ -51,8 +51,9 @@ public:
     std::vector<int> Sections; ///< that disagree, in order
   };
 
-  /// @throws Aborted
-  Disagreements Compare(const ImplicitFunction& function, int threads, Monitor& monitor) const;
+  /// @param look number of the look at such a function: each has other samples. @throws Aborted
+  Disagreements Compare(
+    const ImplicitFunction& function, int threads, Monitor& monitor, int look = 0) const;
 
   /// "the plane at 12", "between the planes at 12 and 15".
   std::string NameOf(int section) const;
@@ -71,11 +72,13 @@ private:
   struct Square;
   struct Between;
 
-  void ComparePlanes(const FunctionEvaluator& evaluator, int threads, Monitor& monitor,
+  void ComparePlanes(const FunctionEvaluator& evaluator, int threads, int look, Monitor& monitor,
+    std::vector<std::vector<ToldPlace>>& places, std::vector<int>& wrong) const;
+  void CompareContours(const FunctionEvaluator& evaluator, Monitor& monitor,
     std::vector<std::vector<ToldPlace>>& places, std::vector<int>& wrong) const;
   void CompareBetween(const FunctionEvaluator& evaluator, Monitor& monitor,
     std::vector<std::vector<ToldPlace>>& places, std::vector<int>& wrong) const;
-  std::vector<Square> CoarseSquares() const;
+  std::vector<Square> CoarseSquares(int look) const;
   void SampleContour(int section, int other, int contour, double part, Between& samples) const;
   double RoomAt(int section, const Point3& p, double limit) const;
   int SideAt(int section, const Point3& p) const;
