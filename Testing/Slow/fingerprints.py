@@ -45,6 +45,13 @@ def digest(data):
     return geometry.hexdigest()[:16], hashlib.sha256(report.encode()).hexdigest()[:16]
 
 
+def number(text):
+    """A property's value as typed: whole numbers stay whole, as ParaView takes no other ones for switches."""
+    if text.isdigit():
+        return int(text)
+    return float(text) if text.replace(".", "", 1).isdigit() else text
+
+
 def write(options):
     sys.path.insert(0, os.path.join(SOURCE, "Plugin", "commandline"))
     import contourcli as cli
@@ -64,7 +71,7 @@ def write(options):
                 node = getattr(simple, cli.METHODS[method])(Input=cli.as_source(block.data))
                 for name_of, _, value in (setting.partition("=") for setting in options.set):
                     if name_of in node.ListProperties():
-                        setattr(node, name_of, float(value) if value.replace(".", "").isdigit() else value)
+                        setattr(node, name_of, number(value))
                 if method == "ism" and block.data.GetNumberOfPoints() > FULL_DETAIL_POINTS:
                     node.Detail = "Medium"
                 key = f"{name} {block.name} {method}"
