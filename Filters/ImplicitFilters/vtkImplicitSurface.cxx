@@ -23,6 +23,7 @@ recon::ImplicitSurfaceOptions OptionsOf(vtkImplicitSurface* filter)
   options.Constraints = recon::ConstraintOptionsOf(filter);
   options.Function = recon::FunctionOptionsOf(filter);
   options.Polygonizer = recon::PolygonizerOptionsOf(filter);
+  options.EndsBeyond = filter->GetEndsBeyond();
   return options;
 }
 }
@@ -74,6 +75,7 @@ void vtkImplicitSurface::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CentreReduction: " << this->CentreReduction << "\n";
   os << indent << "Smoothing: " << this->Smoothing << "\n";
   os << indent << "CellSize: " << this->CellSize << "\n";
+  os << indent << "EndsBeyond: " << this->EndsBeyond << "\n";
   os << indent << "UseBounds: " << this->UseBounds << "\n";
   os << indent << "Bounds:";
   for (const double x : this->Bounds)

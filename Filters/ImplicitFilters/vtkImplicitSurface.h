@@ -9,8 +9,7 @@
  *
  * Output: triangles in the coordinates of the input, closed, manifold, oriented outward, without
  * slivers, with point `Normals`; field data `Residual`, `MarginDistance`, `CellSize`, `SmallestAngle`
- * (degrees), `ConstraintCount` and `Report` (of all stages). Without Bounds, contours parallel to a
- * coordinate plane end at most 0.4 of a slice beyond the last ones.
+ * (degrees), `ConstraintCount` and `Report` (of all stages).
  *
  * Errors (a sentence through vtkErrorMacro, and no output): no usable contour; all contours on one
  * plane; options of no sense; a system too large; a CellSize that would take too many cells.
@@ -253,6 +252,16 @@ public:
 
   ///@{
   /**
+   * Without Bounds, slices parallel to a coordinate plane: the solid ends, rounded off or else flat,
+   * at most so many slice distances beyond the outermost ones; 0.4 by default. 0.5 is the half slice
+   * that planning systems count, 0 ends at the outermost slices.
+   */
+  vtkSetMacro(EndsBeyond, double);
+  vtkGetMacro(EndsBeyond, double);
+  ///@}
+
+  ///@{
+  /**
    * Use Bounds instead of the contours' bounding box, enlarged. Off by default.
    */
   vtkSetMacro(UseBounds, bool);
@@ -342,6 +351,7 @@ private:
   double CentreReduction = 0.0;
   double Smoothing = 0.0;
   double CellSize = 0.0;
+  double EndsBeyond = 0.4;
   bool UseBounds = false;
   double Bounds[6] = { 0.0, 1.0, 0.0, 1.0, 0.0, 1.0 };
   bool ClosedAtBounds = true;

@@ -167,7 +167,7 @@ double VolumeOf(const TriangleMesh& mesh)
 }
 
 void Measure(const std::string& file, const std::string& name, const ContourSet& drawn, bool plain,
-  bool each, const ContourSet& parallel, const SectionTolerances& tolerances)
+  bool each, double ends, const ContourSet& parallel, const SectionTolerances& tolerances)
 {
   Monitor monitor;
   ImplicitSurfaceOptions options;
@@ -175,11 +175,12 @@ void Measure(const std::string& file, const std::string& name, const ContourSet&
   options.Constraints.FillLongEdges = !plain;
   options.Constraints.Sections = tolerances;
   options.Polygonizer.CleanUp = false;
+  options.EndsBeyond = ends;
   const std::clock_t start = std::clock();
   const ImplicitSurface surface = BuildImplicitSurface(drawn, options, monitor);
   const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
   TracerOptions tracing;
-  tracing.Box = ChooseBoundsOf(drawn);
+  tracing.Box = ChooseBoundsOf(drawn, ends);
   PlaneFigures figures;
   const ContourSet traced = TraceContours(
     surface.Fit.Function, SeedsOf(surface.Fit.Contours), PlanesOf(drawn), tracing, monitor);
@@ -225,8 +226,9 @@ int main(int argc, char** argv)
   bool each = false;
   std::size_t most = static_cast<std::size_t>(-1);
   SectionTolerances tolerances;
+  double ends = DefaultEndsBeyond;
   const std::pair<const char*, double*> settable[] = { { "--depth", &tolerances.Depth },
-    { "--area", &tolerances.Area }, { "--waist", &tolerances.WaistArea } };
+    { "--area", &tolerances.Area }, { "--waist", &tolerances.WaistArea }, { "--ends", &ends } };
   for (int i = 1; i < argc; ++i)
   {
     const auto* set = std::find_if(std::begin(settable), std::end(settable),
@@ -263,7 +265,7 @@ int main(int argc, char** argv)
         {
           continue;
         }
-        Measure(std::filesystem::path(argv[i]).filename().string(), name, drawn, plain, each,
+        Measure(std::filesystem::path(argv[i]).filename().string(), name, drawn, plain, each, ends,
           BuildContourSet(soup, ContourSetOptions(), monitor), tolerances);
       }
       catch (const std::exception& error)

@@ -15,12 +15,6 @@ namespace
 /// Contour points of previews: what is solved for directly in a fraction of a second.
 constexpr std::size_t CoarsePoints = 700;
 constexpr std::size_t MediumPoints = 1000;
-/// The solid ends so far beyond the outermost level, in parts of the gap between levels, where
-/// nothing tells more. Half a gap is the mean where slices begin anywhere; sets of real slices were
-/// nearer to the truth with less, as long as ends that are round have room (hand_ok, whose wrist is
-/// cut: mean distance .0035 at .25, .0045 at .4, .0052 at .5; eight_15, which is round: largest
-/// .020, .0097, .0097).
-constexpr double EndsBeyond = 0.4;
 /// A contour that reaches beyond the outermost level by less than this part of the gap lies in it.
 constexpr double LeastReach = 1e-3;
 
@@ -86,7 +80,7 @@ std::vector<Point3> SeedsOf(const ContourSet& contours)
   return seeds;
 }
 
-Bounds ChooseBoundsOf(const ContourSet& contours)
+Bounds ChooseBoundsOf(const ContourSet& contours, double endsBeyond)
 {
   const std::vector<Point3> seeds = SeedsOf(contours);
   Bounds box = ChooseBounds(seeds, std::nullopt);
@@ -103,11 +97,11 @@ Bounds ChooseBoundsOf(const ContourSet& contours)
     const double drawn = LeastReach * gap;
     if (heights.front() <= tight[2 * axis] + drawn)
     {
-      box[2 * axis] = heights.front() - EndsBeyond * gap;
+      box[2 * axis] = heights.front() - endsBeyond * gap;
     }
     if (heights.back() >= tight[2 * axis + 1] - drawn)
     {
-      box[2 * axis + 1] = heights.back() + EndsBeyond * gap;
+      box[2 * axis + 1] = heights.back() + endsBeyond * gap;
     }
   }
   return box;
@@ -159,10 +153,15 @@ ImplicitSurface BuildImplicitSurface(
 {
   // What is refused is refused at once, not after the fit.
   CheckConstraintInput(contours, options.Constraints);
+  if (!(options.EndsBeyond >= 0) || !std::isfinite(options.EndsBeyond))
+  {
+    throw Error("EndsBeyond must be 0 or positive, in parts of the slices' distance: 0.5 is half a "
+                "slice, 0 ends at the outermost slices.");
+  }
   PolygonizerOptions meshing = options.Polygonizer;
   if (!meshing.Box)
   {
-    meshing.Box = ChooseBoundsOf(contours);
+    meshing.Box = ChooseBoundsOf(contours, options.EndsBeyond);
   }
   CheckBounds(*meshing.Box);
   const std::vector<Point3> seeds = SeedsOf(contours);

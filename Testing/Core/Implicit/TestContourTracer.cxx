@@ -72,6 +72,31 @@ TEST(ContourTracer, ContoursOfAFewCellsKeepTheirArea)
   EXPECT_NEAR(set.Contours.front().SignedArea, area, 0.03 * area);
 }
 
+TEST(ContourTracer, WhatIsSmallerThanACellIsTracedWhereItHasSeeds)
+{
+  handmade::Maker maker;
+  for (int i = 0; i < 4; ++i)
+  {
+    const int level = maker.AddLevel({ 0, 0, 1 }, 0.8 * i);
+    maker.AddCircle(level, { 0, 0 }, 8, 48);
+    maker.AddCircle(level, { 9.3, 0.37 }, 0.3, 12);
+  }
+  Monitor monitor;
+  ConstraintOptions all;
+  all.ThinOut = false;
+  const ContourFit fit = FitContours(maker.Finish(), all, FunctionOptions(), monitor);
+  TracerOptions options;
+  options.CellSize = 2;
+  const ContourSet traced =
+    TraceContours(fit.Function, SeedsOf(fit.Contours), PlanesOf(fit.Contours), options, monitor);
+  EXPECT_EQ(traced.Contours.size(), 8u);
+  for (const Contour& contour : traced.Contours)
+  {
+    const double area = handmade::Pi * (contour.SignedArea > 10 ? 64 : 0.09);
+    EXPECT_NEAR(contour.SignedArea, area, 0.15 * area);
+  }
+}
+
 TEST(ContourTracer, AnyPlaneAndExactOffsets)
 {
   const TracePlane tilted{ FrameAbout({ 1, 2, -0.5 }),

@@ -157,6 +157,28 @@ TEST(ImplicitSurface, CavitiesAreTurnedInward)
   EXPECT_NEAR(VolumeOf(shell.Mesh.Mesh), truth, 0.02 * truth);
 }
 
+TEST(ImplicitSurface, FlatEndsAreWhereEndsBeyondSays)
+{
+  handmade::Maker maker;
+  for (int i = 0; i < 5; ++i)
+  {
+    maker.AddCircle(maker.AddLevel({ 0, 0, 1 }, 2.0 * i), { 0, 0 }, 6, 40);
+  }
+  const ContourSet column = maker.Finish();
+  for (const double beyond : { 0.0, 0.4, 0.5 })
+  {
+    ImplicitSurfaceOptions options = Coarse();
+    options.EndsBeyond = beyond;
+    const TriangleMesh mesh = Build(column, options).Mesh.Mesh;
+    ExpectSoundSurface(mesh);
+    const Bounds box = BoundsOf(mesh.Points);
+    EXPECT_EQ(box[4], 0 - 2 * beyond);
+    EXPECT_EQ(box[5], 8 + 2 * beyond);
+    const double truth = handmade::Pi * 36 * (8 + 4 * beyond);
+    EXPECT_NEAR(VolumeOf(mesh), truth, 0.01 * truth);
+  }
+}
+
 TEST(ImplicitSurface, PlanesOfThreeDirections)
 {
   handmade::Maker maker;
@@ -219,5 +241,8 @@ TEST(ImplicitSurfaceInvalid, EachBadInputHasItsSentence)
   EXPECT_THROW(Build(good, options), Error);
   options = ImplicitSurfaceOptions();
   options.Polygonizer.Box = Bounds{ 1, -1, 0, 1, 0, 1 };
+  EXPECT_THROW(Build(good, options), Error);
+  options = ImplicitSurfaceOptions();
+  options.EndsBeyond = -0.1;
   EXPECT_THROW(Build(good, options), Error);
 }

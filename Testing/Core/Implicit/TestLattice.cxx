@@ -26,16 +26,31 @@ TEST(Lattice, OpenPlanesLieInTheBounds)
   }
 }
 
-TEST(Lattice, ClosedPlanesLieHalfACellBeside)
+TEST(Lattice, ClosedHasALayerAroundTheBounds)
 {
-  const Lattice lattice(Box, 0.5, true);
-  const Point3 first = lattice.At({ 0, 0, 0 });
-  const Point3 last = lattice.At({ lattice.Cells[0], lattice.Cells[1], lattice.Cells[2] });
+  const Lattice lattice(Box, 0.3, true);
+  const LatticeIndex most{ lattice.Cells[0] - 1, lattice.Cells[1] - 1, lattice.Cells[2] - 1 };
   for (int a = 0; a < 3; ++a)
   {
-    EXPECT_DOUBLE_EQ(first[a], Box[2 * a] - lattice.Step[a] / 2);
-    EXPECT_DOUBLE_EQ(last[a], Box[2 * a + 1] + lattice.Step[a] / 2);
+    // To the last bit: the surface is cut there.
+    EXPECT_EQ(lattice.At({ 1, 1, 1 })[a], Box[2 * a]);
+    EXPECT_EQ(lattice.At(most)[a], Box[2 * a + 1]);
   }
+  EXPECT_FALSE(lattice.IsBeyond({ 1, 1, 1 }));
+  EXPECT_FALSE(lattice.IsBeyond(most));
+  EXPECT_TRUE(lattice.IsBeyond({ 0, 1, 1 }));
+  EXPECT_TRUE(lattice.IsBeyond({ 1, 1, lattice.Cells[2] }));
+}
+
+TEST(Lattice, FacesOfTheBoundsAreNumbered)
+{
+  const Lattice lattice(Box, 0.3, true);
+  EXPECT_EQ(lattice.FaceInside({ 1, 1, 1 }), 0);
+  EXPECT_EQ(lattice.FaceInside({ 0, 1, 1 }), 1);
+  EXPECT_EQ(lattice.FaceInside({ 1, lattice.Cells[1] - 1, 1 }), 4);
+  EXPECT_EQ(lattice.FaceInside({ 1, 1, lattice.Cells[2] - 1 }), 6);
+  EXPECT_EQ(lattice.FaceInside({ 0, 0, 1 }), -1);
+  EXPECT_EQ(Lattice(Box, 0.3, false).FaceInside({ 0, 0, 0 }), 0);
 }
 
 TEST(Lattice, EachCubeHoldsItsMiddle)

@@ -15,11 +15,18 @@ constexpr int MaximumSteps = 8;
 
 BoundedField::BoundedField(
   const ImplicitFunction& function, const Bounds& box, bool closed, int threads, Monitor& monitor)
-  : Function(function, threads),
+  : Function(std::make_shared<FunctionEvaluator>(function, threads)),
     Limits(box),
     ClosedAtBox(closed),
     Stop(monitor)
 {
+}
+
+BoundedField BoundedField::Open() const
+{
+  BoundedField open = *this;
+  open.ClosedAtBox = false;
+  return open;
 }
 
 double BoundedField::BoxValue(const Point3& x, int& axis, double& sign) const
@@ -41,7 +48,7 @@ double BoundedField::BoxValue(const Point3& x, int& axis, double& sign) const
 
 std::vector<double> BoundedField::Values(const std::vector<Point3>& points) const
 {
-  std::vector<double> values = this->Function.Values(points, this->Stop);
+  std::vector<double> values = this->Function->Values(points, this->Stop);
   if (this->ClosedAtBox)
   {
     for (std::size_t i = 0; i < points.size(); ++i)
@@ -57,7 +64,7 @@ std::vector<double> BoundedField::Values(const std::vector<Point3>& points) cons
 void BoundedField::Evaluate(const std::vector<Point3>& points, std::vector<double>& values,
   std::vector<Vector3>& gradients) const
 {
-  this->Function.ValuesAndGradients(points, values, gradients, this->Stop);
+  this->Function->ValuesAndGradients(points, values, gradients, this->Stop);
   if (!this->ClosedAtBox)
   {
     return;

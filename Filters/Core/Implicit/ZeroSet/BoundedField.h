@@ -13,6 +13,7 @@
 #include "Implicit/FastMultipole/FunctionEvaluator.h"
 
 #include <array>
+#include <memory>
 #include <vector>
 
 namespace recon
@@ -41,6 +42,8 @@ public:
 
   const Bounds& Box() const { return this->Limits; }
   bool Closed() const { return this->ClosedAtBox; }
+  /// f alone, in the same box.
+  BoundedField Open() const;
 
   /**
    * Moves points onto the surface along the gradient (Newton), none further than limit; normals
@@ -53,7 +56,7 @@ public:
 private:
   double BoxValue(const Point3& x, int& axis, double& sign) const;
 
-  FunctionEvaluator Function;
+  std::shared_ptr<const FunctionEvaluator> Function;
   Bounds Limits;
   bool ClosedAtBox;
   mutable AbortMonitor Stop;

@@ -30,6 +30,11 @@ constexpr double BesideContours = 0.05;
 /// Roots nearer to the one before than this part of a cell are left out: they say nothing but make
 /// slivers.
 constexpr double NearRoots = 0.05;
+/// A section whose mean width (twice its area by its length) is less than so many squares gets
+/// squares of half the size, but not below a quarter of a cell: chords across squares of 1 mm cut 3%
+/// off a section of 113 mm2 drawn along pixels.
+constexpr double EnoughSquares = 16;
+constexpr int MostHalvings = 2;
 /// Loops of fewer points are small beside the grid's squares: they get points half way between.
 constexpr std::size_t FewPoints = 64;
 /// A point half way moves by at most this part of its chord, in so many steps of Newton's.
@@ -79,6 +84,7 @@ public:
 };
 
 using Square = std::array<int, 2>;
+using Loops = std::vector<std::vector<Point3>>;
 
 /// Traces the contours of one plane.
 class PlaneTracer
@@ -108,11 +114,11 @@ public:
   }
 
   /// Closed contours, the solid on their left, as lists of points.
-  std::vector<std::vector<Point3>> Trace(double tolerance, Monitor& monitor) const
+  Loops Trace(double tolerance, Monitor& monitor) const
   {
     const std::vector<Point3> roots =
       FindRoots(this->Field, this->Crossed, tolerance * this->Grid.Cell, monitor);
-    std::vector<std::vector<Point3>> loops;
+    Loops loops;
     std::vector<char> done(this->Next.size(), 0);
     for (std::size_t start = 0; start < this->Next.size(); ++start)
     {
@@ -275,6 +281,42 @@ private:
   std::vector<int> Next; ///< a cut edge: the one that the contour goes on to
 };
 
+/// Twice the area by the length, of all loops of a plane together.
+double MeanWidth(const Loops& loops, const Vector3& normal)
+{
+  double twice = 0;
+  double length = 0;
+  for (const std::vector<Point3>& loop : loops)
+  {
+    for (std::size_t i = 0; i < loop.size(); ++i)
+    {
+      const Vector3 a = loop[i] - loop[0];
+      const Vector3 b = loop[(i + 1) % loop.size()] - loop[0];
+      twice += Dot(Cross(a, b), normal);
+      length += Norm(b - a);
+    }
+  }
+  return length > 0 ? twice / length : 0;
+}
+
+/// The contours of a plane, in squares that are small beside them.
+Loops TracePlaneFinely(const BoundedField& field, const SurfaceTracker& surface,
+  const TracePlane& plane, const Bounds& box, double cell, double tolerance, Monitor& monitor)
+{
+  Loops loops;
+  for (int halving = 0; halving <= MostHalvings; ++halving)
+  {
+    const double size = cell / (1 << halving);
+    const PlaneGrid grid(plane, box, size);
+    loops = PlaneTracer(field, surface, grid).Trace(tolerance, monitor);
+    if (loops.empty() || MeanWidth(loops, plane.Frame.Normal) >= EnoughSquares * size)
+    {
+      break;
+    }
+  }
+  return loops;
+}
+
 void CheckPlanes(const std::vector<TracePlane>& planes)
 {
   if (planes.empty())
@@ -299,9 +341,9 @@ bool AllParallel(const std::vector<TracePlane>& planes)
     { return Norm(Cross(p.Frame.Normal, planes.front().Frame.Normal)) < 1e-9; });
 }
 
-void AppendLoops(const std::vector<std::vector<Point3>>& loops, LoopSoup& soup)
+void AppendLoops(const Loops& loops, LoopSoup& soup)
 {
-  for (const auto& loop : loops)
+  for (const std::vector<Point3>& loop : loops)
   {
     LoopSoup::Chain chain;
     chain.Closed = true;
@@ -326,17 +368,18 @@ ContourSet TraceContours(const ImplicitFunction& function, const std::vector<Poi
   CheckCellCount(BoundsOf(seeds), box, cell, options.MaximumCells);
   const BoundedField field(function, box, true, options.Threads, monitor);
   SubMonitor tracking(monitor, 0, 0.3);
+  const BoundedField open = field.Open();
   const SurfaceTracker surface(
-    field, Lattice(box, cell, true), seeds, options.MaximumCells, tracking);
+    open, Lattice(box, cell, true), seeds, options.MaximumCells, tracking);
 
   LoopSoup soup;
   for (std::size_t p = 0; p < planes.size(); ++p)
   {
     const double done = static_cast<double>(p) / static_cast<double>(planes.size());
     monitor.Update(0.3 + 0.6 * done, "tracing contours");
-    const PlaneGrid grid(planes[p], box, cell);
     Monitor silent;
-    AppendLoops(PlaneTracer(field, surface, grid).Trace(options.Tolerance, silent), soup);
+    AppendLoops(
+      TracePlaneFinely(field, surface, planes[p], box, cell, options.Tolerance, silent), soup);
   }
   const std::string specks = LeaveOutSpecks(options.SmallestArea, soup);
   if (soup.Chains.empty())

@@ -25,7 +25,9 @@ struct TracePlane
 
 struct TracerOptions
 {
-  double CellSize = 0; ///< edge of the grid's squares, as PolygonizerOptions::CellSize
+  /// Edge of the grid's squares, as PolygonizerOptions::CellSize; a half or a quarter of it on planes
+  /// whose contours are small beside that.
+  double CellSize = 0;
   std::optional<Bounds>
     Box;                   ///< contours are closed where they reach it; as PolygonizerOptions::Box
   double Tolerance = 1e-6; ///< of a root, in cells

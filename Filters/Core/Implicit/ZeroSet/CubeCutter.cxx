@@ -121,7 +121,15 @@ CubeCutter::CubeCutter(const SurfaceTracker& tracker) : Tracker(tracker)
   this->Index.reserve(EdgesPerCube * tracker.Cubes().size());
   for (const LatticeIndex& cube : tracker.Cubes())
   {
-    this->March(cube);
+    const int face = tracker.Grid().FaceInside(cube);
+    if (face == 0)
+    {
+      this->March(cube);
+    }
+    else if (face > 0)
+    {
+      this->CutFace(cube, face);
+    }
   }
 }
 
@@ -140,6 +148,54 @@ void CubeCutter::March(const LatticeIndex& cube)
       triangle[k] = this->PointOn(cube, std::min(t[k][0], t[k][1]), std::max(t[k][0], t[k][1]));
     }
     this->Cut.push_back(triangle);
+    this->CutFaces.push_back(0);
+  }
+}
+
+/// The face that a cube beyond the bounds shares with one within, cut along the same diagonal.
+void CubeCutter::CutFace(const LatticeIndex& cube, int face)
+{
+  const int axis = (face - 1) / 2;
+  const bool high = face % 2 == 0;
+  const int least = high ? 0 : 1 << axis;
+  const int one = least | (1 << (axis + 1) % 3);
+  const int other = least | (1 << (axis + 2) % 3);
+  const int most = one | other;
+  // Counterclockwise seen from where the axis points to.
+  for (std::array<int, 3> corners :
+    { std::array<int, 3>{ least, one, most }, { least, most, other } })
+  {
+    if (!high)
+    {
+      std::swap(corners[1], corners[2]);
+    }
+    this->CutFlatTriangle(cube, corners, face);
+  }
+}
+
+/// The inside part of a triangle in the bounds.
+void CubeCutter::CutFlatTriangle(
+  const LatticeIndex& cube, const std::array<int, 3>& corners, int face)
+{
+  std::vector<int> around;
+  for (int k = 0; k < 3; ++k)
+  {
+    const int here = corners[k];
+    const int next = corners[(k + 1) % 3];
+    const bool inside = this->Tracker.ValueAt(CornerOf(cube, here)) > 0;
+    if (inside)
+    {
+      around.push_back(this->PointOn(cube, here, here));
+    }
+    if (inside != (this->Tracker.ValueAt(CornerOf(cube, next)) > 0))
+    {
+      around.push_back(this->PointOn(cube, std::min(here, next), std::max(here, next)));
+    }
+  }
+  for (std::size_t k = 2; k < around.size(); ++k)
+  {
+    this->Cut.push_back({ around[0], around[k - 1], around[k] });
+    this->CutFaces.push_back(static_cast<char>(face));
   }
 }
 

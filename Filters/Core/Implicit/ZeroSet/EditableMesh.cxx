@@ -10,14 +10,24 @@
 
 namespace recon
 {
-EditableMesh::EditableMesh(TriangleMesh& mesh, std::vector<Vector3>& normals)
+Vector3 FaceNormal(int face)
+{
+  Vector3 normal{ 0, 0, 0 };
+  normal[(face - 1) / 2] = face % 2 == 0 ? 1 : -1;
+  return normal;
+}
+
+EditableMesh::EditableMesh(
+  TriangleMesh& mesh, std::vector<Vector3>& normals, const std::vector<char>& faces)
   : P(mesh.Points),
     N(normals),
     T(mesh.Triangles),
     Around(mesh.Points.size()),
+    Faces(faces),
     Border(mesh.Points.size(), 0),
     Pinned(mesh.Points.size(), 0)
 {
+  this->Faces.resize(this->T.size(), 0);
   for (int t = 0; t < static_cast<int>(this->T.size()); ++t)
   {
     for (const int v : this->T[t])
@@ -27,14 +37,39 @@ EditableMesh::EditableMesh(TriangleMesh& mesh, std::vector<Vector3>& normals)
   }
   for (int v = 0; v < static_cast<int>(this->P.size()); ++v)
   {
-    for (const int w : this->Neighbours(v))
+    this->FindBorder(v);
+  }
+}
+
+void EditableMesh::FindBorder(int v)
+{
+  int creases = 0;
+  for (const int w : this->Neighbours(v))
+  {
+    const bool isBorder = this->TrianglesAt(v, w).size() == 1;
+    if (isBorder)
     {
-      if (this->TrianglesAt(v, w).size() == 1)
-      {
-        this->Border[v] = 1;
-      }
+      this->Border[v] = OnBorder;
+    }
+    else if (this->IsBorderEdge(v, w))
+    {
+      ++creases;
+      this->Border[v] = this->Border[v] == OnBorder ? OnBorder : OnCrease;
     }
   }
+  // Where creases meet there is a corner.
+  this->Pinned[v] = creases > 2 ? 1 : 0;
+}
+
+bool EditableMesh::IsBorderEdge(int u, int v) const
+{
+  const std::vector<int> at = this->TrianglesAt(u, v);
+  return at.size() == 1 || (at.size() == 2 && this->Faces[at[0]] != this->Faces[at[1]]);
+}
+
+Vector3 EditableMesh::NormalAt(int v, int face) const
+{
+  return face == 0 ? this->N[v] : FaceNormal(face);
 }
 
 std::vector<int> EditableMesh::Neighbours(int v) const
@@ -121,7 +156,7 @@ bool EditableMesh::LinkAllows(int u, int v) const
     return false;
   }
   // Two border vertices across an inner edge: the border would be pinched.
-  if (shared.size() == 2 && this->Border[u] && this->Border[v])
+  if (this->Border[u] && this->Border[v] && !this->IsBorderEdge(u, v))
   {
     return false;
   }
@@ -135,7 +170,7 @@ bool EditableMesh::LinkAllows(int u, int v) const
   }
   for (const int w : common)
   {
-    if (this->Around[w].size() < (this->Border[w] ? 2u : 4u))
+    if (this->Around[w].size() < (this->Border[w] == OnBorder ? 2u : 4u))
     {
       return false;
     }

@@ -28,8 +28,15 @@ public:
   using Triangle = std::array<int, 3>;
   using Changes = std::vector<std::pair<int, Triangle>>; ///< triangles by number, as they were
 
-  /// Both are edited in place and outlive this. @param normals at the points, out of the solid
-  EditableMesh(TriangleMesh& mesh, std::vector<Vector3>& normals);
+  /**
+   * Both are edited in place and outlive this.
+   *
+   * @param normals at the points, out of the solid
+   * @param faces by triangle: 0, or the face of the bounds that it lies in (Lattice::FaceInside);
+   * empty = none does. Edges between triangles of two numbers are creases.
+   */
+  EditableMesh(
+    TriangleMesh& mesh, std::vector<Vector3>& normals, const std::vector<char>& faces = {});
 
   std::vector<int> Neighbours(int v) const; ///< in rising order
   /// The triangles on an edge.
@@ -42,7 +49,12 @@ public:
   double LongestEdge(const Triangle& t) const;
   Vector3 AreaNormal(const Triangle& t) const;
 
-  /// Would merging an edge's ends leave a manifold of the same genus and border?
+  /// Is it an edge of the border, or a crease?
+  bool IsBorderEdge(int u, int v) const;
+  /// The surface's normal at a corner of a triangle: that of its face of the bounds, where it lies
+  /// in one.
+  Vector3 NormalAt(int v, int face) const;
+  /// Would merging an edge's ends leave a manifold of the same genus, border and creases?
   bool LinkAllows(int u, int v) const;
 
   /// u's triangles become v's, those on the edge go.
@@ -65,15 +77,23 @@ public:
   std::vector<Vector3>& N;
   std::vector<Triangle>& T;
   std::vector<std::vector<int>> Around; ///< triangles, by point
+  std::vector<char> Faces;              ///< by triangle
+  /// By point: 0, or whether it is on the border (OnBorder) or on a crease (OnCrease).
   std::vector<char> Border;
+  static constexpr char OnBorder = 1;
+  static constexpr char OnCrease = 2;
   std::vector<char> Pinned; ///< points that may not go or move; the caller's
   /// Called with every triangle that is, from now on, another one or elsewhere.
   std::function<void(int)> Changed;
 
 private:
+  void FindBorder(int v);
   void Attach(int t);
   void Detach(int t);
 };
+
+/// The normal, out of the solid, of a face of the bounds (Lattice::FaceInside).
+Vector3 FaceNormal(int face);
 }
 
 #endif

@@ -22,8 +22,8 @@ using LatticeIndex = std::array<int, 3>;
  * @class Lattice
  * @brief Cubes (boxes, nearly) that fill the bounds.
  *
- * Where the surface is open at the bounds, lattice planes lie in them, so that its border does too;
- * where it is closed, they lie half a cell beside, so that no corner is on the cap.
+ * Lattice planes lie in the bounds, so that the surface is cut exactly there. Where it is closed
+ * there, a layer of cubes lies around: its far corners are beyond the bounds.
  */
 class Lattice
 {
@@ -31,22 +31,56 @@ public:
   /// Cells a direction that fit into a key.
   static constexpr int MaximumCells = (1 << 20) - 4;
 
-  Lattice(const Bounds& box, double cellSize, bool closed)
+  Lattice(const Bounds& box, double cellSize, bool closed) : Box(box), Layer(closed ? 1 : 0)
   {
     for (int a = 0; a < 3; ++a)
     {
       const double extent = box[2 * a + 1] - box[2 * a];
       const double cells = std::max(1.0, std::ceil(extent / cellSize - 1e-9));
       this->Step[a] = extent / cells;
-      this->Origin[a] = box[2 * a] - (closed ? 0.5 * this->Step[a] : 0);
-      this->Cells[a] = static_cast<int>(cells) + (closed ? 1 : 0);
+      this->Origin[a] = box[2 * a] - this->Layer * this->Step[a];
+      this->Cells[a] = static_cast<int>(cells) + 2 * this->Layer;
     }
   }
 
+  /// To the last bit in the bounds where it is one of theirs.
   Point3 At(const LatticeIndex& corner) const
   {
-    return { this->Origin[0] + corner[0] * this->Step[0],
-      this->Origin[1] + corner[1] * this->Step[1], this->Origin[2] + corner[2] * this->Step[2] };
+    Point3 p{};
+    for (int a = 0; a < 3; ++a)
+    {
+      const int side = this->BoundAt(a, corner[a]);
+      p[a] = side < 0 ? this->Origin[a] + corner[a] * this->Step[a] : this->Box[2 * a + side];
+    }
+    return p;
+  }
+
+  bool IsBeyond(const LatticeIndex& corner) const
+  {
+    for (int a = 0; a < 3; ++a)
+    {
+      if (corner[a] < this->Layer || corner[a] > this->Cells[a] - this->Layer)
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// Of a cube: 0 within the bounds, 1 + 2 axis + (0 low, 1 high) outside of that face of theirs,
+  /// -1 beside more than one.
+  int FaceInside(const LatticeIndex& cube) const
+  {
+    int face = 0;
+    for (int a = 0; a < 3; ++a)
+    {
+      const bool low = cube[a] < this->Layer;
+      if (low || cube[a] >= this->Cells[a] - this->Layer)
+      {
+        face = face == 0 ? 1 + 2 * a + (low ? 0 : 1) : -1;
+      }
+    }
+    return face;
   }
 
   LatticeIndex CubeOf(const Point3& p) const
@@ -76,6 +110,16 @@ public:
   Point3 Origin{};
   Vector3 Step{};
   std::array<int, 3> Cells{};
+
+private:
+  /// 0 or 1 where corners of that index lie in the low or high bound, else -1.
+  int BoundAt(int axis, int index) const
+  {
+    return index == this->Layer ? 0 : index == this->Cells[axis] - this->Layer ? 1 : -1;
+  }
+
+  Bounds Box;
+  int Layer; ///< of cubes around the bounds
 };
 
 /// Spreads the bits of lattice keys, whose neighbours differ in few, over a hash table.

@@ -19,7 +19,7 @@ CleanUpResult CleanUpOnce(TriangleMesh& mesh, std::vector<Vector3>& normals,
   const Projector& project, const CleanUpOptions& options, const std::vector<char>& thin,
   Monitor& monitor)
 {
-  Remesher remesher(mesh, normals, options.EdgeLength, thin);
+  Remesher remesher(mesh, normals, options.EdgeLength, thin, options.Faces);
   for (int round = 0; round < options.Rounds; ++round)
   {
     monitor.Update(static_cast<double>(round) / (options.Rounds + 1), "cleaning up the mesh");

@@ -20,6 +20,8 @@ struct CleanUpOptions
   int Rounds = 3;
   int Threads = 0;             ///< 0 = all of the machine; the result does not depend on it
   std::vector<Point3> Anchors; ///< points of the surface that should become vertices (none = empty)
+  /// By triangle, the face of the bounds that it lies in (EditableMesh); empty = none does.
+  std::vector<char> Faces;
 };
 
 struct CleanUpResult
@@ -31,7 +33,7 @@ struct CleanUpResult
 /**
  * Collapses short edges where the link condition holds (so a manifold stays one, of the same
  * genus), flips diagonals, spreads vertices in their tangent planes and projects them back. Border
- * vertices stay. Where two sheets are near each other no change is made that lets triangles cross,
+ * vertices and those of creases stay. Where two sheets are near each other no change is made that lets triangles cross,
  * and the whole is looked at in the end: a mesh that did not cross itself does not afterwards.
  *
  * @param normals at the points, out of the solid; kept up to date. No triangle may turn against

@@ -68,6 +68,20 @@ void ForAll(std::size_t items, int threads, const Body& body, Monitor& monitor)
     { 0, 1, "finding the surface's points" });
 }
 
+/// Puts points of edges that lie in the bounds there, to the last bit.
+void PutOntoBounds(const CubeCutter& cutter, const Lattice& lattice, std::vector<Point3>& points)
+{
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    const LatticeEdge& edge = cutter.Edges()[i];
+    const Point3 corner = lattice.At(edge.Corner);
+    for (int a = 0; a < 3; ++a)
+    {
+      points[i][a] = ((edge.Direction >> a) & 1) != 0 ? points[i][a] : corner[a];
+    }
+  }
+}
+
 std::vector<CrossedEdge> CrossedEdgesOf(
   const CubeCutter& cutter, const SurfaceTracker& tracker, int threads, Monitor& monitor)
 {
@@ -87,6 +101,7 @@ std::vector<CrossedEdge> CrossedEdgesOf(
   return crossed;
 }
 
+/// Normals of f's own surface. @param field not closed
 std::vector<Vector3> OutwardNormals(const BoundedField& field, const std::vector<Point3>& points)
 {
   std::vector<double> values;
@@ -101,19 +116,51 @@ std::vector<Vector3> OutwardNormals(const BoundedField& field, const std::vector
 }
 
 /// The surface as the cells cut it.
-TriangleMesh Track(const BoundedField& field, const std::vector<Point3>& seeds, double cellSize,
+struct CutSurface
+{
+  TriangleMesh Mesh;
+  std::vector<char> Faces; ///< by triangle, as CubeCutter::Faces
+};
+
+CutSurface Track(const BoundedField& field, const std::vector<Point3>& seeds, double cellSize,
   const PolygonizerOptions& options, Monitor& monitor)
 {
   SubMonitor tracking(monitor, 0, 0.5);
   const Lattice lattice(field.Box(), cellSize, field.Closed());
-  const SurfaceTracker tracker(field, lattice, seeds, options.MaximumCells, tracking);
+  const BoundedField open = field.Open();
+  const SurfaceTracker tracker(open, lattice, seeds, options.MaximumCells, tracking);
   CubeCutter cutter(tracker);
   SubMonitor rooting(monitor, 0.5, 1);
-  TriangleMesh mesh;
-  mesh.Points = FindRoots(field, CrossedEdgesOf(cutter, tracker, options.Threads, monitor),
+  CutSurface surface;
+  surface.Mesh.Points = FindRoots(open, CrossedEdgesOf(cutter, tracker, options.Threads, monitor),
     options.Tolerance * cellSize, rooting);
-  mesh.Triangles = std::move(cutter.Triangles());
-  return mesh;
+  PutOntoBounds(cutter, lattice, surface.Mesh.Points);
+  surface.Mesh.Triangles = std::move(cutter.Triangles());
+  surface.Faces = std::move(cutter.Faces());
+  return surface;
+}
+
+/// The function's own normals on the wall and its rim, those of the bounds within flat ends.
+std::vector<Vector3> NormalsOf(const BoundedField& field, const CutSurface& surface)
+{
+  std::vector<Vector3> normals = OutwardNormals(field.Open(), surface.Mesh.Points);
+  std::vector<char> onWall(normals.size(), 0);
+  const std::vector<std::array<int, 3>>& triangles = surface.Mesh.Triangles;
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+  {
+    for (const int v : triangles[t])
+    {
+      onWall[v] = onWall[v] || surface.Faces[t] == 0;
+    }
+  }
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+  {
+    for (const int v : triangles[t])
+    {
+      normals[v] = onWall[v] ? normals[v] : FaceNormal(surface.Faces[t]);
+    }
+  }
+  return normals;
 }
 
 bool IsWithin(const Point3& p, const Bounds& box)
@@ -210,27 +257,28 @@ bool AnyWorthFinding(const BoundedField& field, const std::vector<Point3>& point
  * are more than a cell away from it: between two sheets of the surface that are nearer than a cell
  * there may be no corner, and then neither is found.
  */
-void TrackAndFind(const BoundedField& field, const std::vector<Point3>& seeds,
+CutSurface TrackAndFind(const BoundedField& field, const std::vector<Point3>& seeds,
   const PolygonizerOptions& options, ImplicitMesh& result, Monitor& monitor)
 {
   std::vector<Point3> all = seeds;
   all.insert(all.end(), options.Witnesses.begin(), options.Witnesses.end());
   SubMonitor tracking(monitor, 0, 0.3);
-  result.Mesh = Track(field, seeds, result.CellSize, options, tracking);
-  FarPoints far = FindFarPoints(field, result.Mesh, all, result.CellSize, options.Threads, monitor);
+  CutSurface surface = Track(field, seeds, result.CellSize, options, tracking);
+  FarPoints far =
+    FindFarPoints(field, surface.Mesh, all, result.CellSize, options.Threads, monitor);
   const double finer = FinerCells * result.CellSize;
   const double finerTriangles =
-    static_cast<double>(result.Mesh.Triangles.size()) / (FinerCells * FinerCells);
+    static_cast<double>(surface.Mesh.Triangles.size()) / (FinerCells * FinerCells);
   if (!far.Missed.empty() && options.CellSize == 0 && finerTriangles < options.MaximumCells &&
     AnyWorthFinding(field, far.Missed, result.CellSize))
   {
     SubMonitor again(monitor, 0.3, 0.6);
-    TriangleMesh mesh = Track(field, seeds, finer, options, again);
-    FarPoints stillFar = FindFarPoints(field, mesh, all, finer, options.Threads, monitor);
+    CutSurface found = Track(field, seeds, finer, options, again);
+    FarPoints stillFar = FindFarPoints(field, found.Mesh, all, finer, options.Threads, monitor);
     if (static_cast<double>(stillFar.Missed.size()) <=
       WorthTheirPrice * static_cast<double>(far.Missed.size()))
     {
-      result.Mesh = std::move(mesh);
+      surface = std::move(found);
       result.CellSize = finer;
       far = std::move(stillFar);
     }
@@ -252,20 +300,48 @@ void TrackAndFind(const BoundedField& field, const std::vector<Point3>& seeds,
       " away from the surface, as the shape, or a gap in it, is thinner than that there: choose a "
       "smaller CellSize.");
   }
+  return surface;
+}
+
+/// The face of the bounds that a point lies in, to the last bit; 0 = none.
+int FaceAt(const Point3& p, const Bounds& box)
+{
+  for (int side = 0; side < 6; ++side)
+  {
+    if (p[side / 2] == box[side])
+    {
+      return 1 + side;
+    }
+  }
+  return 0;
 }
 
 void CleanUpMesh(const BoundedField& field, const std::vector<Point3>& seeds,
-  const PolygonizerOptions& options, ImplicitMesh& result, Monitor& monitor)
+  const std::vector<char>& faces, const PolygonizerOptions& options, ImplicitMesh& result,
+  Monitor& monitor)
 {
   const double h = result.CellSize;
   const Projector project =
     [&](std::vector<Point3>& points, std::vector<Vector3>& normals, std::vector<char>& done)
   {
     monitor.Update(0.5, "cleaning up the mesh");
+    const std::vector<Point3> asked = points;
     field.Project(points, normals, done, 0.5 * h, options.Tolerance * h);
+    for (std::size_t i = 0; i < asked.size(); ++i)
+    {
+      // Points of a flat end move in it alone.
+      const int face = field.Closed() ? FaceAt(asked[i], field.Box()) : 0;
+      if (face > 0)
+      {
+        points[i] = asked[i];
+        normals[i] = FaceNormal(face);
+        done[i] = 1;
+      }
+    }
   };
   CleanUpOptions cleaning;
   cleaning.EdgeLength = h;
+  cleaning.Faces = faces;
   cleaning.Threads = options.Threads;
   if (options.SnapToSeeds)
   {
@@ -447,12 +523,13 @@ ImplicitMesh Polygonize(const ImplicitFunction& function, const std::vector<Poin
   const PolygonizerOptions options = WithDetail(asked, result);
 
   const BoundedField field(function, box, options.ClosedAtBounds, options.Threads, monitor);
-  TrackAndFind(field, seeds, options, result, monitor);
-  result.Normals = OutwardNormals(field, result.Mesh.Points);
+  CutSurface surface = TrackAndFind(field, seeds, options, result, monitor);
+  result.Normals = NormalsOf(field, surface);
+  result.Mesh = std::move(surface.Mesh);
   if (options.CleanUp)
   {
     SubMonitor cleaning(monitor, 0.6, 1);
-    CleanUpMesh(field, seeds, options, result, cleaning);
+    CleanUpMesh(field, seeds, surface.Faces, options, result, cleaning);
   }
   else
   {

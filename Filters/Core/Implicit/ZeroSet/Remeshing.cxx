@@ -43,8 +43,8 @@ bool SameWay(const Vector3& m, const Vector3& n)
 }
 
 Remesher::Remesher(TriangleMesh& mesh, std::vector<Vector3>& normals, double edgeLength,
-  const std::vector<char>& thin)
-  : Edited(mesh, normals),
+  const std::vector<char>& thin, const std::vector<char>& faces)
+  : Edited(mesh, normals, faces),
     EdgeLength(edgeLength),
     Guard(mesh, this->Edited, thin, 2 * edgeLength)
 {
@@ -72,7 +72,7 @@ bool Remesher::Collapse(int u, int v, const Agreement& agreement)
 bool Remesher::Flip(int u, int v, const Agreement& agreement)
 {
   const std::vector<int> both = this->Edited.TrianglesAt(u, v);
-  if (both.size() != 2)
+  if (both.size() != 2 || this->Edited.Faces[both[0]] != this->Edited.Faces[both[1]])
   {
     return false;
   }
@@ -91,8 +91,9 @@ bool Remesher::Flip(int u, int v, const Agreement& agreement)
   const double before = std::min(
     this->Edited.AngleOf(this->Edited.T[both[0]]), this->Edited.AngleOf(this->Edited.T[both[1]]));
   const double after = std::min(this->Edited.AngleOf(first), this->Edited.AngleOf(second));
-  if (!(after > before * WorthFlipping + RoundingOfAngles) || !this->Agrees(first, agreement) ||
-    !this->Agrees(second, agreement) ||
+  const int face = this->Edited.Faces[both[0]];
+  if (!(after > before * WorthFlipping + RoundingOfAngles) ||
+    !this->Agrees(first, face, agreement) || !this->Agrees(second, face, agreement) ||
     !(Dot(this->Edited.AreaNormal(first), this->Edited.AreaNormal(second)) > 0) ||
     !this->MayReplace(both, { first, second }, agreement))
   {
@@ -132,7 +133,7 @@ bool Remesher::Keep(const EditableMesh::Changes& before, const Agreement& agreem
     this->Guard.KeepUncrossed(before);
 }
 
-bool Remesher::Agrees(const Triangle& t, const Agreement& agreement) const
+bool Remesher::Agrees(const Triangle& t, int face, const Agreement& agreement) const
 {
   const Vector3 n = this->Edited.AreaNormal(t);
   const double length = Norm(n);
@@ -142,7 +143,7 @@ bool Remesher::Agrees(const Triangle& t, const Agreement& agreement) const
   }
   for (const int v : t)
   {
-    if (!(Dot(n, this->Edited.N[v]) > agreement.WithSurface * length))
+    if (!(Dot(n, this->Edited.NormalAt(v, face)) > agreement.WithSurface * length))
     {
       return false;
     }
@@ -167,7 +168,7 @@ double Remesher::QualityAround(int v, const Agreement& agreement) const
   double least = Pi;
   for (const int t : this->Edited.Around[v])
   {
-    if (!this->Agrees(this->Edited.T[t], agreement))
+    if (!this->Agrees(this->Edited.T[t], this->Edited.Faces[t], agreement))
     {
       return -1;
     }
@@ -215,7 +216,7 @@ bool Remesher::MayReplace(const std::vector<int>& before, const std::array<Trian
 double Remesher::QualityOfCollapse(int u, int v, const Agreement& agreement) const
 {
   if (this->Edited.Pinned[u] || (this->Edited.Border[u] && !this->Edited.Border[v]) ||
-    (this->Edited.Border[u] && this->Edited.TrianglesAt(u, v).size() != 1))
+    (this->Edited.Border[u] && !this->Edited.IsBorderEdge(u, v)))
   {
     return -1;
   }
@@ -228,7 +229,7 @@ double Remesher::QualityOfCollapse(int u, int v, const Agreement& agreement) con
       continue;
     }
     std::replace(moved.begin(), moved.end(), u, v);
-    if (!this->Agrees(moved, agreement) ||
+    if (!this->Agrees(moved, this->Edited.Faces[t], agreement) ||
       this->Edited.LongestEdge(moved) >
         std::max(
           LongEdge * this->EdgeLength, LongerAgain * this->Edited.LongestEdge(this->Edited.T[t])) ||

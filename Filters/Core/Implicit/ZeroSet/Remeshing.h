@@ -44,9 +44,9 @@ constexpr Agreement WithItself{ 0, true };
 class Remesher
 {
 public:
-  /// As of CrossingGuard. @param edgeLength what edges should have
+  /// As of CrossingGuard. @param edgeLength what edges should have @param faces as of EditableMesh
   Remesher(TriangleMesh& mesh, std::vector<Vector3>& normals, double edgeLength,
-    const std::vector<char>& thin);
+    const std::vector<char>& thin, const std::vector<char>& faces = {});
 
   ///@{
   /// Passes, until nothing changes or a few times.
@@ -82,7 +82,7 @@ public:
 private:
   using Triangle = EditableMesh::Triangle;
 
-  bool Agrees(const Triangle& t, const Agreement& agreement) const;
+  bool Agrees(const Triangle& t, int face, const Agreement& agreement) const;
   bool KeepsItself(const Triangle& before, const Triangle& after) const;
   bool IsNeedle(const Triangle& t) const;
   bool MayReplace(const std::vector<int>& before, const std::array<Triangle, 2>& after,

@@ -16,7 +16,7 @@ namespace
 /// has an end of that edge moved along the surface: by so many edge lengths, in so many directions.
 constexpr double Shifts[] = { 0.02, 0.04, 0.08, 0.16 };
 constexpr int ShiftDirections = 8;
-constexpr int MaximumShiftPasses = 4;
+constexpr int MaximumShiftPasses = 8;
 constexpr int MaximumSliverPasses = 12;
 
 /// One try at each sliver: the diagonal across it, or its shortest edge away.
@@ -77,6 +77,24 @@ struct ShiftedVertices
       }
     }
   }
+
+  /// Along the crease that it is on.
+  void AddOnCrease(const EditableMesh& mesh, int v, double edgeLength)
+  {
+    for (const int w : mesh.Neighbours(v))
+    {
+      const Vector3 edge = mesh.P[w] - mesh.P[v];
+      const double length = Norm(edge);
+      for (const double shift : Shifts)
+      {
+        if (mesh.IsBorderEdge(v, w) && shift * edgeLength < length)
+        {
+          this->Vertices.push_back(v);
+          this->Points.push_back(mesh.P[v] + (shift * edgeLength / length) * edge);
+        }
+      }
+    }
+  }
 };
 
 /// Moves the ends of needles' short edges to where the least angle around them is largest.
@@ -96,6 +114,10 @@ std::size_t ShiftNeedles(Remesher& remesher, const Projector& project)
       {
         shifted.Add(mesh, v, remesher.EdgeLength);
       }
+      else if (mesh.Border[v] == EditableMesh::OnCrease && !mesh.Pinned[v])
+      {
+        shifted.AddOnCrease(mesh, v, remesher.EdgeLength);
+      }
     }
   }
   if (shifted.Points.empty())
@@ -104,17 +126,20 @@ std::size_t ShiftNeedles(Remesher& remesher, const Projector& project)
   }
   project(shifted.Points, shifted.Normals, shifted.Done);
   std::size_t moved = 0;
-  const std::size_t many = ShiftDirections * std::size(Shifts);
-  for (std::size_t from = 0; from < shifted.Points.size(); from += many)
+  for (std::size_t from = 0, to = 0; from < shifted.Points.size(); from = to)
   {
     const int v = shifted.Vertices[from];
+    while (to < shifted.Points.size() && shifted.Vertices[to] == v)
+    {
+      ++to;
+    }
     const double before = remesher.QualityAround(v, WithItself);
     if (before >= NeedleAngle * RadiansPerDegree)
     {
       continue;
     }
     std::vector<std::pair<double, std::size_t>> better;
-    for (std::size_t i = from; i < from + many; ++i)
+    for (std::size_t i = from; i < to; ++i)
     {
       const double quality = shifted.Done[i] ? remesher.QualityOfMove(v, shifted.Points[i]) : -1;
       if (quality > before)
@@ -128,7 +153,9 @@ std::size_t ShiftNeedles(Remesher& remesher, const Projector& project)
                [&](const auto& place)
                {
                  const std::size_t i = place.second;
-                 return remesher.Move(v, shifted.Points[i], shifted.Normals[i], true);
+                 const Vector3 normal =
+                   mesh.Border[v] == EditableMesh::OnCrease ? mesh.N[v] : shifted.Normals[i];
+                 return remesher.Move(v, shifted.Points[i], normal, true);
                })
       ? 1
       : 0;

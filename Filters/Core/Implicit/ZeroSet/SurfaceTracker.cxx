@@ -5,6 +5,9 @@ namespace recon
 {
 namespace
 {
+/// The value of corners beyond the bounds: outside.
+constexpr double Beyond = -1;
+
 LatticeIndex CornerOf(const LatticeIndex& cube, int corner)
 {
   return { cube[0] + (corner & 1), cube[1] + ((corner >> 1) & 1), cube[2] + ((corner >> 2) & 1) };
@@ -42,6 +45,15 @@ SurfaceTracker::SurfaceTracker(const BoundedField& field, const Lattice& lattice
   for (const LatticeIndex& cube : this->Active)
   {
     this->ActiveKeys.insert(Lattice::Key(cube));
+  }
+  // What is smaller than a cube may have no corner in it, but has seeds.
+  for (const Point3& seed : seeds)
+  {
+    const LatticeIndex cube = this->Cells.CubeOf(seed);
+    if (this->Cells.HasCube(cube))
+    {
+      this->ActiveKeys.insert(Lattice::Key(cube));
+    }
   }
   monitor.Update(1, "tracking the surface");
 }
@@ -107,7 +119,7 @@ void SurfaceTracker::EvaluateCorners(const CubeList& cubes)
     {
       const LatticeIndex corner = CornerOf(cube, c);
       const std::uint64_t key = Lattice::Key(corner);
-      if (this->Values.emplace(key, 0.0).second)
+      if (this->Values.emplace(key, Beyond).second && !this->Cells.IsBeyond(corner))
       {
         keys.push_back(key);
         points.push_back(this->Cells.At(corner));

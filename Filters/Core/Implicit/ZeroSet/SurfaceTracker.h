@@ -29,6 +29,8 @@ class SurfaceTracker
 {
 public:
   /**
+   * @param field not closed: where the lattice has a layer around the bounds, what lies there is
+   * outside, and the surface is followed along the bounds.
    * @param maximumCubes refuse to go on beyond, instead of filling the memory.
    * @throws Error where no seed is near a change of sign, or the cubes are too many; Aborted.
    */
@@ -39,7 +41,7 @@ public:
   const std::vector<LatticeIndex>& Cubes() const { return this->Active; }
   /// g at a corner of such a cube. Inside is g > 0.
   double ValueAt(const LatticeIndex& corner) const { return this->Values.at(Lattice::Key(corner)); }
-  /// Is the point in such a cube, or in a neighbour of one?
+  /// Is the point in such a cube or one with a seed, or in a neighbour of one?
   bool Near(const Point3& p) const;
   const Lattice& Grid() const { return this->Cells; }
 
