@@ -177,7 +177,7 @@ TEST(Polygonizer, MazesStaySound)
     // A neck that the bounds cut may keep a needle: the rim does not move off the bounds.
     EXPECT_GE(mesh.SmallestAngle, 0.9) << "seed " << seed;
     needles += mesh.SmallestAngle < 1 ? 1 : 0;
-    EXPECT_EQ(mesh.SmallestAngle < 1, !mesh.Report.empty()) << "which is told";
+    EXPECT_TRUE(mesh.SmallestAngle >= 1 || !mesh.Report.empty()) << "which is told";
     triangles += mesh.Mesh.Triangles.size();
   }
   EXPECT_GT(triangles, 30000u);
