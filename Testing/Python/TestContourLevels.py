@@ -102,6 +102,8 @@ def read(name):
     return simple.OpenDataFile(ct.shared("faults/other/" + name))
 
 
+# tilted_0.01_degrees: frusta of regular polygons, 2 / 3 (A + B + sqrt(A B)) a slab with A = 3136.55 sin(.3 + .25 i)^2 is
+# 3718.85; the 3764 of its README is the volume of the round shape that was cut.
 for name, right, within, count, lines in (
         ("near_slices_4_squares.vtp", 1.68547e-3, 1e-4, 4, 0), ("near_slices_lake.vtp", 1.5010e9, 1e-3, 5, 0),
         ("wafer.vtp", 353.293, 1e-4, 6, 0), ("tilted_0.01_degrees.vtp", 3718.85, 1e-4, 10, 1),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Contours/TipSections.h"
 
+#include "Base/Predicates.h"
 #include "Base/Text.h"
 #include "Contours/RingPlane.h"
 
@@ -249,8 +250,9 @@ private:
       {
         const Point2 a = this->Frame.ToPlane(this->At(ring[i]));
         const Point2 b = this->Frame.ToPlane(this->At(ring[(i + 1) % ring.size()]));
-        if ((a[1] <= p[1]) != (b[1] <= p[1]) &&
-          p[0] < a[0] + (p[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0]))
+        // A ray to the right crosses an edge that runs up with p on its left, or down on its right.
+        const bool up = a[1] <= p[1];
+        if (up != (b[1] <= p[1]) && Orientation2(a, b, p) == (up ? 1 : -1))
         {
           inside = !inside;
         }

@@ -106,9 +106,10 @@ void ReportJoinsNotMade(const ContourMapping& mapping, const std::vector<LevelSt
     if (!IsMade(levels[join.Slab], levels[join.Slab + 1], slabs[join.Slab].Diagram, lower, upper))
     {
       std::ostringstream line;
-      line << "The join of contours " << lower << " and " << upper
-           << " was asked for but cannot be made: other contours lie between them, so that their "
-              "Voronoi regions do not meet.";
+      line
+        << "The join of contours " << lower << " and " << upper
+        << " was asked for but cannot be made: other contours lie between them, or no part of the "
+           "one lies over the other; a slice between their two would join them.";
       report.push_back(line.str());
     }
   }
@@ -148,6 +149,26 @@ void CheckNotEmpty(const TriangleMesh& mesh, const std::vector<std::string>& rep
   {
     throw Error(
       "No surface came out: " + (report.empty() ? "no contour has a partner." : report.back()));
+  }
+}
+
+void ReportLevelsWithoutCondition2(
+  const std::vector<LevelState>& levels, std::vector<std::string>& report)
+{
+  std::vector<std::string> places;
+  for (const LevelState& level : levels)
+  {
+    if (!level.Triangulator->HasCondition2())
+    {
+      places.push_back(Text(level.Offset));
+    }
+  }
+  if (!places.empty())
+  {
+    report.push_back("On " + Counted(places.size(), "level") + " (at offset " + Listed(places, 3) +
+      ") contours run so near to each other, or to themselves, that their edges have fewer points "
+      "than "
+      "the method asks for: the surface is whole there, but may be joined less smoothly.");
   }
 }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @file LeftOut.h
- * @brief Tells of what was drawn or asked for and is not part of the surface.
+ * @brief Tells of what was drawn or asked for and is not part of the surface, or less than usual.
  */
 #ifndef recon_LeftOut_h
 #define recon_LeftOut_h
@@ -31,6 +31,10 @@ std::size_t CountLeftOut(const ContourSet& contours, const TriangleMesh& mesh);
 
 /// Nothing is ever an empty surface without an error. @throws Error with the last line of report.
 void CheckNotEmpty(const TriangleMesh& mesh, const std::vector<std::string>& report);
+
+/// A line for the levels that have no condition 2 (LevelTriangulation.h).
+void ReportLevelsWithoutCondition2(
+  const std::vector<LevelState>& levels, std::vector<std::string>& report);
 }
 
 #endif

@@ -26,10 +26,14 @@ namespace
 /// level's diagonal they are one point.
 constexpr double NearestPoints = 1e-7;
 
-/// Bound on the points of a level after refinement, those of the contours included: so many, and
-/// so many more for each of theirs. Drawn contours need at most a tenth of that.
-constexpr std::size_t LeastMaximumPoints = 2000;
-constexpr std::size_t MaximumPointsAPoint = 50;
+/// Bounds on the points of a level after refinement, those of the contours included: so many, and so
+/// many more for each of theirs. For condition 2, drawn contours need at most 2.5 a point, and 1.13
+/// where a level has fifty or more (`./run bench levels`).
+constexpr std::size_t LeastForGabriel = 200;
+constexpr std::size_t ForGabrielAPoint = 20;
+/// Conditions 0 and 1 alone take far fewer points; beyond that a level cannot be had at all.
+constexpr std::size_t LeastForDelaunay = 4000;
+constexpr std::size_t ForDelaunayAPoint = 100;
 
 Point2 FromCGAL(const Kernel::Point_2& p)
 {
@@ -100,6 +104,7 @@ struct LevelTriangulator::Implementation
   const Level& OfLevel;
   Triangulation Delaunay;
   double Diagonal = 0;
+  std::size_t ContourPoints = 0;
   bool IsGabriel = true;  ///< condition 2 holds
   bool Conformed = false; ///< was refined before
 
@@ -112,7 +117,7 @@ struct LevelTriangulator::Implementation
   std::vector<VertexHandle> InsertContourVertices();
   void InsertContourEdges();
   void Conform();
-  std::size_t MaximumPoints() const;
+  std::size_t MaximumForDelaunay() const;
   std::string DescribeProblem(const RefinementOutcome& outcome) const;
   void ClassifyFaces();
   void LabelContourEdges();
@@ -142,6 +147,7 @@ std::vector<VertexHandle> LevelTriangulator::Implementation::InsertContourVertic
     }
   }
   this->Diagonal = std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin());
+  this->ContourPoints = points.size();
   this->Delaunay.insert(points.begin(), points.end());
 
   std::vector<VertexHandle> vertexOf(this->Contours.Points.size());
@@ -183,7 +189,8 @@ void LevelTriangulator::Implementation::Conform()
 {
   if (this->IsGabriel)
   {
-    const RefinementOutcome outcome = RefineToGabriel(this->Delaunay, this->MaximumPoints());
+    const RefinementOutcome outcome =
+      RefineToGabriel(this->Delaunay, LeastForGabriel + ForGabrielAPoint * this->ContourPoints);
     this->IsGabriel = outcome.Problem == RefinementOutcome::None;
     if (!this->IsGabriel && !this->Conformed)
     {
@@ -194,7 +201,7 @@ void LevelTriangulator::Implementation::Conform()
   }
   if (!this->IsGabriel)
   {
-    const RefinementOutcome outcome = RefineToDelaunay(this->Delaunay, 2 * this->MaximumPoints());
+    const RefinementOutcome outcome = RefineToDelaunay(this->Delaunay, this->MaximumForDelaunay());
     if (outcome.Problem != RefinementOutcome::None)
     {
       throw Error(this->DescribeProblem(outcome));
@@ -204,14 +211,9 @@ void LevelTriangulator::Implementation::Conform()
   this->ClassifyFaces();
 }
 
-std::size_t LevelTriangulator::Implementation::MaximumPoints() const
+std::size_t LevelTriangulator::Implementation::MaximumForDelaunay() const
 {
-  std::size_t count = 0;
-  for (int c : this->OfLevel.Contours)
-  {
-    count += this->Contours.Contours[c].Points.size();
-  }
-  return LeastMaximumPoints + MaximumPointsAPoint * count;
+  return LeastForDelaunay + ForDelaunayAPoint * this->ContourPoints;
 }
 
 std::string LevelTriangulator::Implementation::DescribeProblem(
@@ -221,7 +223,7 @@ std::string LevelTriangulator::Implementation::DescribeProblem(
   const bool tooMany = outcome.Problem == RefinementOutcome::TooManyPoints;
   return "Level at offset " + Text(this->OfLevel.Offset) + ": near " + Text(place) +
     " contours run so near to each other, or to themselves, that " +
-    (tooMany ? "more than " + std::to_string(2 * this->MaximumPoints()) +
+    (tooMany ? "more than " + std::to_string(this->MaximumForDelaunay()) +
           " points would have to be put on their edges"
              : std::string("no number lies between them")) +
     "; remove or merge there what is narrower than the contours are accurate.";
@@ -415,6 +417,11 @@ LevelTriangulator::LevelTriangulator(const ContourSet& contours, int level)
 LevelTriangulator::~LevelTriangulator() = default;
 LevelTriangulator::LevelTriangulator(LevelTriangulator&&) noexcept = default;
 LevelTriangulator& LevelTriangulator::operator=(LevelTriangulator&&) noexcept = default;
+
+bool LevelTriangulator::HasCondition2() const
+{
+  return this->Impl->IsGabriel;
+}
 
 std::vector<Point2> LevelTriangulator::ExternalVoronoiVertices() const
 {

@@ -77,6 +77,10 @@ public:
   LevelTriangulator(LevelTriangulator&&) noexcept;
   LevelTriangulator& operator=(LevelTriangulator&&) noexcept;
 
+  /// Condition 2 takes too many points, or has no place for them, where contours run very near to each
+  /// other: such a level has conditions 0 and 1 only.
+  bool HasCondition2() const;
+
   /// Vertices of the external Voronoi skeleton, rounded; without repetitions, in a fixed order.
   std::vector<Point2> ExternalVoronoiVertices() const;
 

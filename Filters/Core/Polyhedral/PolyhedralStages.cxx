@@ -67,6 +67,7 @@ public:
     this->Runner.Timed("triangulate levels", [&] { this->TriangulateLevels(); });
     this->Runner.Timed("insert internal points", [&] { this->InsertInternalPoints(); });
     this->BuildSlabs();
+    ReportLevelsWithoutCondition2(this->Levels, this->Out.Report);
     ReportJoinsNotMade(this->Out.Mapping, this->Levels, this->Slabs, this->Out.Report);
     ReportContoursLeftOut(this->Contours, this->Levels, this->Options, this->Out.Report);
     this->Out.StageSeconds = this->Runner.GetSeconds();

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Points on contour edges, where contours are as thin as rounding and thinner.
+#include "Base/Parallel.h"
 #include "LevelInvariants.h"
 #include "Polyhedral/ConformingRefinement.h"
 #include "PolyhedralShapes.h"
 
 #include <gtest/gtest.h>
 
+#include <ctime>
 #include <vector>
 
 using namespace recon;
@@ -37,6 +39,27 @@ std::vector<Ring> Neighbours(double width)
 {
   return { Rectangle(0, 0, 1, 1), Rectangle(0.37, -1, 1.9, -width) };
 }
+
+/// Asks to stop after a tenth of a second. Seconds are the processor's, as other tests run beside this.
+class StopAfterAWhile : public Monitor
+{
+public:
+  bool AbortRequested() override
+  {
+    const bool asks = std::clock() - this->Start > CLOCKS_PER_SEC / 10;
+    this->Asked = asks && this->Asked == 0 ? std::clock() : this->Asked;
+    return asks;
+  }
+
+  double SecondsSinceAsked() const
+  {
+    return static_cast<double>(std::clock() - this->Asked) / CLOCKS_PER_SEC;
+  }
+
+private:
+  std::clock_t Start = std::clock();
+  std::clock_t Asked = 0;
+};
 
 int EdgesThatAreNotDelaunay(const delaunay::Triangulation& triangulation)
 {
@@ -94,6 +117,24 @@ TEST(ConformingRefinement, ThinShapesBecomeDelaunayWithFewPoints)
     EXPECT_TRUE(triangulation.is_valid());
     EXPECT_EQ(EdgesThatAreNotDelaunay(triangulation), 0);
   }
+}
+
+TEST(ConformingRefinement, StopsWithinHalfASecond)
+{
+  // Some ten million points would be put into the gap.
+  auto triangulation = Constrained(Neighbours(1e-7));
+  StopAfterAWhile monitor;
+  bool finished = false;
+  EXPECT_THROW(ParallelFor(1, 1,
+                 [&](int)
+                 {
+                   RefineToGabriel(triangulation, 100000000);
+                   finished = true;
+                 },
+                 monitor, { 0, 1, "triangulating" }),
+    Aborted);
+  EXPECT_FALSE(finished);
+  EXPECT_LT(monitor.SecondsSinceAsked(), 0.5);
 }
 
 TEST(ConformingRefinement, AThinLevelIsTriangulatedInASecond)

@@ -5,7 +5,12 @@
 
 using namespace recon::testing;
 
-TEST(DegenerateStacks, FortyStacks)
+TEST(DegenerateStacks, AFewUpright)
 {
   ExpectSoundDegenerateStacks(1, 40);
+}
+
+TEST(DegenerateStacks, AFewTilted)
+{
+  ExpectSoundDegenerateStacks(1, 40, StackFrame::Tilted);
 }

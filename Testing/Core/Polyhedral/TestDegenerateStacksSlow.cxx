@@ -5,7 +5,12 @@
 
 using namespace recon::testing;
 
-TEST(DegenerateStacks, AThousandStacks)
+TEST(DegenerateStacks, TwentyThousandStacks)
 {
-  ExpectSoundDegenerateStacks(1001, 2000);
+  ExpectSoundDegenerateStacks(1001, 21000);
+}
+
+TEST(DegenerateStacks, FiveThousandTiltedStacks)
+{
+  ExpectSoundDegenerateStacks(1001, 6000, StackFrame::Tilted);
 }

@@ -85,6 +85,49 @@ TEST(PolyhedralSurfaceInvalid, NothingButContoursThatFaceNothing)
   }
 }
 
+/// What is said of a forced join of the first contour and the last.
+std::string JoinSentenceFor(const ContourSet& contours)
+{
+  PolyhedralOptions options;
+  options.Mapping = PolyhedralOptions::Overlap;
+  options.ForcedJoins = { { 0, static_cast<int>(contours.Contours.size()) - 1 } };
+  for (const std::string& line : BuildSurface(contours, options).Report)
+  {
+    if (line.find("was asked for but cannot be made") != std::string::npos)
+    {
+      return line;
+    }
+  }
+  return "";
+}
+
+TEST(PolyhedralSurfaceInvalid, AJoinThatCannotBeMadeHasATrueReason)
+{
+  // Far away from both is a third, so that levels are not shifted onto one another.
+  const std::string beside =
+    JoinSentenceFor(BuildStack({ { Circle(0, 0, 1, 20), Circle(0, 50, 1, 20) },
+      { Circle(0, 50, 1, 20), Circle(5, 0, 1, 20) } }));
+  EXPECT_NE(beside.find("or no part of the one lies over the other"), std::string::npos) << beside;
+  const std::string between =
+    JoinSentenceFor(BuildStack({ { Circle(0, 0, 1, 20), Circle(5, 0, 1, 20) },
+      { Circle(5, 0, 1, 20), Circle(10, 0, 1, 20) } }));
+  EXPECT_NE(between.find("other contours lie between them"), std::string::npos) << between;
+}
+
+TEST(PolyhedralSurfaceInvalid, LevelsWithoutCondition2AreNamed)
+{
+  // Walls a hundred thousandth apart.
+  const std::vector<std::vector<Point2>> near{ Rectangle(0, 0, 1, 1),
+    Rectangle(0.37, -1, 1.9, -1e-5) };
+  const PolyhedralSurface surface = BuildSurface(BuildStack({ near, near }));
+  int lines = 0;
+  for (const std::string& line : surface.Report)
+  {
+    lines += line.find("On 2 levels (at offset") == 0 ? 1 : 0;
+  }
+  EXPECT_EQ(lines, 1);
+}
+
 TEST(PolyhedralSurfaceInvalid, ProgressRunsForwardToItsEnd)
 {
   StoppingMonitor monitor(-1);
