@@ -26,8 +26,8 @@ namespace
 /// level's diagonal they are one point.
 constexpr double NearestPoints = 1e-7;
 
-/// Bounds on the points of a level after refinement, those of the contours included: so many, and so
-/// many more for each of theirs. For condition 2, drawn contours need at most 2.5 a point, and 1.13
+/// Bounds on the points of a level after refinement: so many, and so many more for each that was
+/// there before, which are included. For condition 2, drawn contours need at most 2.5 a point, and 1.13
 /// where a level has fifty or more (`./run bench levels`).
 constexpr std::size_t LeastForGabriel = 200;
 constexpr std::size_t ForGabrielAPoint = 20;
@@ -104,9 +104,9 @@ struct LevelTriangulator::Implementation
   const Level& OfLevel;
   Triangulation Delaunay;
   double Diagonal = 0;
-  std::size_t ContourPoints = 0;
-  bool IsGabriel = true;  ///< condition 2 holds
-  bool Conformed = false; ///< was refined before
+  std::size_t GivenPoints = 0; ///< of the contours, and inserted inside
+  bool IsGabriel = true;       ///< condition 2 holds
+  bool Conformed = false;      ///< was refined before
 
   Implementation(const ContourSet& contours, int level)
     : Contours(contours),
@@ -147,7 +147,7 @@ std::vector<VertexHandle> LevelTriangulator::Implementation::InsertContourVertic
     }
   }
   this->Diagonal = std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin());
-  this->ContourPoints = points.size();
+  this->GivenPoints = points.size();
   this->Delaunay.insert(points.begin(), points.end());
 
   std::vector<VertexHandle> vertexOf(this->Contours.Points.size());
@@ -190,7 +190,7 @@ void LevelTriangulator::Implementation::Conform()
   if (this->IsGabriel)
   {
     const RefinementOutcome outcome =
-      RefineToGabriel(this->Delaunay, LeastForGabriel + ForGabrielAPoint * this->ContourPoints);
+      RefineToGabriel(this->Delaunay, LeastForGabriel + ForGabrielAPoint * this->GivenPoints);
     this->IsGabriel = outcome.Problem == RefinementOutcome::None;
     if (!this->IsGabriel && !this->Conformed)
     {
@@ -213,7 +213,7 @@ void LevelTriangulator::Implementation::Conform()
 
 std::size_t LevelTriangulator::Implementation::MaximumForDelaunay() const
 {
-  return LeastForDelaunay + ForDelaunayAPoint * this->ContourPoints;
+  return LeastForDelaunay + ForDelaunayAPoint * this->GivenPoints;
 }
 
 std::string LevelTriangulator::Implementation::DescribeProblem(
@@ -507,6 +507,7 @@ void LevelTriangulator::AddPoints(
     }
     const VertexHandle v = impl.Delaunay.insert(p, where);
     v->info().Kind = LevelTriangulation::Internal;
+    ++impl.GivenPoints;
     v->info().AskedBy = static_cast<unsigned char>(v->info().AskedBy | askedBy);
     impl.MarkStar(v, inside);
     hint = v->face();
@@ -530,6 +531,7 @@ void LevelTriangulator::AddCoverPoints(const std::vector<Point2>& points)
     }
     const VertexHandle v = impl.Delaunay.insert(p, type, hint, index);
     v->info().Kind = LevelTriangulation::Internal;
+    ++impl.GivenPoints;
     v->info().AskedBy = LevelTriangulation::Cover;
     impl.MarkStar(v, true);
     hint = v->face();
