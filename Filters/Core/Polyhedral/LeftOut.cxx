@@ -167,8 +167,7 @@ void ReportLevelsWithoutCondition2(
   {
     report.push_back("On " + Counted(places.size(), "level") + " (at offset " + Listed(places, 3) +
       ") contours run so near to each other, or to themselves, that their edges have fewer points "
-      "than "
-      "the method asks for: the surface is whole there, but may be joined less smoothly.");
+      "than the method asks for: the surface is whole there, but may be joined less smoothly.");
   }
 }
 }
