@@ -27,7 +27,7 @@ READERS = {
 }
 # What ParaView reads by itself, with whatever reader it has for it.
 PARAVIEW_FORMATS = (".vtk", ".vtm", ".vtu", ".vtpc", ".obj", ".geojson", ".dxf", ".shp")
-METHODS = {"psm": "PolyhedralSurface", "ism": "ImplicitSurface"}
+METHODS = {"psm": "PolyhedralSurface", "ism": "ImplicitSurface", "fair": "FairSurface"}
 DRAWING = ".svg"
 NAME = "{}"  # stands for the name of IN in OUT
 NO_CERTIFICATE = "none"
@@ -65,6 +65,7 @@ def make_parser():
                              "; or, of --method ism, contours on all slices as an RT structure set: .dcm")
     parser.add_argument("--method", choices=sorted(METHODS), default="psm",
                         help="psm: polyhedral, exactly through parallel contours (default); "
+                             "fair: as that, but smooth, within a tolerance of them; "
                              "ism: implicit, smooth, contours on any planes")
     parser.add_argument("--roi", nargs="+", metavar="NAME", default=[],
                         help="the ROIs of a structure set, or the objects of a tracing program, to take, in any case where only one is "

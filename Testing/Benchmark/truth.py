@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Both methods against the truth: real shapes cut by planes, reconstructed, and laid beside the shape again.
 
-    ./run bench truth [NAME ...] [--method psm|ism] [--markdown FILE] [--json FILE] [--set PROPERTY=VALUE ...] [--check]
+    ./run bench truth [NAME ...] [--method psm|fair|ism] [--markdown FILE] [--json FILE] [--set PROPERTY=VALUE ...] [--check]
 
 NAME is a part of a row's name. Rows: the cross-section sets that come with a reference surface; every closed mesh of the
 shared test data, cut by 24 planes along x, y and z, at the middles of 24 equal slices of its bounding box. Figures:
@@ -12,10 +12,11 @@ shared test data, cut by 24 planes along x, y and z, at the middles of 24 equal 
   from either way;
 - Euler: of the surface beside that of the reference;
 - SI: pairs of triangles that cross or overlap, and edges where sheets cross; open: edges with one face, or more than two;
-- seconds: processor time of the reconstruction (Polyhedral Surface, psm: on one thread; Implicit Surface, ism: on all).
+- seconds: processor time of the reconstruction (Polyhedral Surface, psm, and Fair Surface, fair: on one thread; Implicit
+  Surface, ism: on all).
 
 SlicerRT's and mask tools' figures were measured once on the same cuts. With --check the exit code says whether every row
-is closed and free of self-intersections, nearer to the truth than SlicerRT (ism: in the mean than any other tool) where that is
+is closed and free of self-intersections, nearer to the truth than SlicerRT (ism, fair: in the mean than any other tool) where that is
 known, and, psm, of the true Euler number where it has been so. Reads the shared test data and says so where it is absent.
 """
 import argparse
@@ -40,6 +41,8 @@ TRUE_EULER = {"eight_15", "hand_ok", "balloondog", "couplingdown x", "couplingdo
 def node_of(method, contours, properties):
     if method == "ism":
         return simple.ImplicitSurface(Input=contours, **properties)
+    if method == "fair":
+        return simple.FairSurface(Input=contours, Threads=1, **properties)
     return simple.PolyhedralSurface(Input=contours, Threads=1, **properties)
 
 
@@ -76,7 +79,7 @@ COLUMNS = (("input", lambda r: r["name"]), ("triangles", lambda r: str(r["triang
 def complaints(method, row):
     """What a row does not keep of its promises."""
     said = [f"{row[what]} {what}" for what in ("SI", "open") if row[what]]
-    if method == "ism":
+    if method in ("ism", "fair"):
         others = [figures[0] for figures in (row["SlicerRT"], row["masks"]) if figures]
         return said + [f"mean {row['mean']:.5f} is not below {other}" for other in others if row["mean"] >= other]
     if row["SlicerRT"]:
@@ -107,13 +110,18 @@ through every contour vertex.
 Implicit Surface with its default settings, on the same contours and measured in the same way as Polyhedral Surface in [TRUTH.md](TRUTH.md).
 Written by `./run bench truth --method ism --markdown Data/TRUTH_IMPLICIT.md`. *Seconds* is processor time on all processors.
 
+""", "fair": """# The fair surface beside the truth
+
+Fair Surface with its default settings, on the same contours and measured in the same way as Polyhedral Surface in [TRUTH.md](TRUTH.md).
+Written by `./run bench truth --method fair --markdown Data/TRUTH_FAIR.md`. *Seconds* is processor time on one thread.
+
 """}
 
 
 def main():
     parser = argparse.ArgumentParser(prog="run bench truth")
     parser.add_argument("names", nargs="*", metavar="NAME")
-    parser.add_argument("--method", choices=("psm", "ism"), default="psm")
+    parser.add_argument("--method", choices=("psm", "fair", "ism"), default="psm")
     parser.add_argument("--markdown", metavar="FILE")
     parser.add_argument("--json", metavar="FILE")
     parser.add_argument("--set", action="append", default=[], metavar="PROPERTY=VALUE")

@@ -75,6 +75,9 @@ reader.Update()
 ct.check(reader.GetOutput().GetNumberOfPolys() < with_points, "--set InternalPoints=0 leaves them out")
 
 # Contours on planes of any orientation are the implicit method's.
+table = succeeds(pipe, "fair.vtp", "--method", "fair", "--set", "Tension=0.3")
+ct.check(os.path.getsize(os.path.join(FOLDER, "fair.vtp")) > 1000, "fair.vtp is written")
+fails("no property 'PinchGap'", pipe, "fair.brep", "--method", "fair", "--set", "PinchGap=0")
 table = succeeds(ct.own("femur_head.csl"), "femur.vtp", "--method", "ism", "--set", "CellSize=2")
 row = [line for line in table.splitlines() if line.startswith("femur_head")][0].split()
 ct.check(row[1] == "11" and row[3:5] == ["yes", "yes"], f"11 contours give a closed manifold: {row}")

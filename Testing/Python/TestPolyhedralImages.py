@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A picture of every stage of the polyhedral method, on the thesis's branching pipe, and of the brain."""
+"""A picture of every stage of the polyhedral method, on the thesis's branching pipe, of the brain, and of the fair surface."""
 import contourtesting as ct
 
 simple = ct.load_plugin()
@@ -65,4 +65,8 @@ brain = simple.NUAGESContourReader(FileName=ct.own("brain.cnt"))
 view = new_view([-4, -3, 2])
 show(simple.PolyhedralSurface(Input=brain), view, None, "Surface")
 picture("PolyhedralSurfaceBrain", view)
+
+view = new_view(oblique)
+show(simple.FairSurface(Input=pipe, EndCaps="Flat"), view)
+picture("FairSurfacePipe", view)
 ct.finish()

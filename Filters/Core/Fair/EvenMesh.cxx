@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Fair/EvenMesh.h"
+
+#include "Base/PointGrid.h"
+#include "Base/SubMonitor.h"
+#include "Fair/EvenPasses.h"
+#include "Fair/SurfacePlaces.h"
+#include "Implicit/ZeroSet/CrossingGuard.h"
+#include "Mesh/SelfIntersections.h"
+
+#include <algorithm>
+
+namespace recon
+{
+namespace
+{
+constexpr int Rounds = 3;
+/// Where sheets are nearer than so many edge lengths, changes are looked at.
+constexpr double ThinPlace = 0.7;
+/// Where triangles cross all the same, it is begun again with changes looked at so many edge lengths
+/// around, and in the last attempt everywhere.
+constexpr double AroundCrossing = 4;
+constexpr int MostAttempts = 4;
+
+class Evener
+{
+public:
+  Evener(const TriangleMesh& given, double edgeLength, int threads, Monitor& monitor)
+    : Given(given),
+      Surface(given),
+      EdgeLength(edgeLength),
+      Threads(threads),
+      Observer(monitor)
+  {
+  }
+
+  EvenMesh Make(bool onlyMend)
+  {
+    AbortMonitor silent(this->Observer);
+    EvenMesh even;
+    for (int attempt = 0; attempt < MostAttempts; ++attempt)
+    {
+      this->Observer.Update(static_cast<double>(attempt) / MostAttempts, "making the mesh even");
+      even.Mesh = this->Once(attempt + 1 == MostAttempts, onlyMend, silent);
+      even.Crossing = this->FindCrossings(even.Mesh, silent);
+      if (even.Crossing == 0)
+      {
+        break;
+      }
+    }
+    return even;
+  }
+
+private:
+  TriangleMesh Once(bool lookEverywhere, bool onlyMend, Monitor& silent) const
+  {
+    EvenPasses passes(this->Given, this->Surface, this->EdgeLength, this->Threads, silent);
+    if (onlyMend)
+    {
+      this->MarkThin(passes, lookEverywhere);
+      passes.Flip();
+      passes.MendSlivers();
+      return passes.Mesh.Compact();
+    }
+    passes.CollapseShort();
+    passes.SplitLong();
+    this->MarkThin(passes, lookEverywhere);
+    for (int round = 0; round < Rounds; ++round)
+    {
+      passes.SplitLong();
+      passes.CollapseShort();
+      passes.Flip();
+      passes.Spread();
+      passes.Flip();
+    }
+    passes.MendSlivers();
+    passes.Spread();
+    passes.Flip();
+    passes.MendSlivers();
+    return passes.Mesh.Compact();
+  }
+
+  void MarkThin(EvenPasses& passes, bool everywhere) const
+  {
+    passes.Thin = ThinPlaces(passes.Mesh.Points, passes.Normals, ThinPlace * this->EdgeLength);
+    if (everywhere)
+    {
+      std::fill(passes.Thin.begin(), passes.Thin.end(), 1);
+      return;
+    }
+    const double radius = AroundCrossing * this->EdgeLength;
+    const PointGrid grid(passes.Mesh.Points, radius);
+    for (const Point3& p : this->Crossed)
+    {
+      grid.ForNear(p, radius, [&](int v, double) { passes.Thin[v] = 1; });
+    }
+  }
+
+  std::int64_t FindCrossings(const TriangleMesh& mesh, Monitor& silent)
+  {
+    SelfIntersectionOptions options;
+    options.Threads = this->Threads;
+    const SelfIntersections found = FindSelfIntersections(mesh, options, silent);
+    for (const IntersectingPair& pair : found.Pairs)
+    {
+      if (pair.Kind != IntersectingPair::Touching)
+      {
+        this->Crossed.push_back(mesh.Points[mesh.Triangles[pair.First][0]]);
+      }
+    }
+    return found.Crossing + found.Overlapping;
+  }
+
+  const TriangleMesh& Given;
+  SurfacePlaces Surface;
+  double EdgeLength;
+  int Threads;
+  Monitor& Observer;
+  std::vector<Point3> Crossed; ///< places of triangles that crossed in earlier attempts
+};
+}
+
+EvenMesh MakeEvenMesh(const TriangleMesh& given, double edgeLength, int threads, Monitor& monitor)
+{
+  return Evener(given, edgeLength, threads, monitor).Make(false);
+}
+
+EvenMesh MendMesh(const TriangleMesh& given, double edgeLength, int threads, Monitor& monitor)
+{
+  return Evener(given, edgeLength, threads, monitor).Make(true);
+}
+}

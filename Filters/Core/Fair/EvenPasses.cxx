@@ -1,0 +1,490 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Fair/EvenPasses.h"
+
+#include "Base/Parallel.h"
+#include "Mesh/TrianglePair.h"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+namespace recon
+{
+namespace
+{
+constexpr double Pi = 3.14159265358979323846;
+/// Edges longer than this part of their size are split, shorter ones than the other collapsed, and
+/// none longer than the third is made by it.
+constexpr double LongEdge = 4.0 / 3;
+constexpr double ShortEdge = 0.7;
+constexpr double LongestMade = 1.6;
+/// Cosine that a triangle keeps with the surface's normals at its corners; where a sliver has to go,
+/// they are not asked.
+constexpr double UsualCosine = 0.4;
+constexpr double LeastCosine = -2;
+/// Triangles with a smaller angle (radians) have no direction to speak of.
+constexpr double NeedleAngle = 0.03;
+/// Least angles above this (radians) need not become larger.
+constexpr double GoodAngle = 0.4;
+/// A point that is spread is looked for on the surface within so many edge lengths.
+constexpr double Reach = 1;
+constexpr int MostPasses = 6;
+constexpr std::size_t PointsABlock = 1024;
+}
+
+EvenPasses::EvenPasses(const TriangleMesh& mesh, const SurfacePlaces& surface, double edgeLength,
+  int threads, Monitor& monitor)
+  : Mesh(mesh),
+    Normals(PointNormals(mesh)),
+    Thin(mesh.Points.size(), 0),
+    Surface(surface),
+    EdgeLength(edgeLength),
+    Threads(threads),
+    Observer(monitor)
+{
+}
+
+/// The least cosine with the surface's normals at the corners.
+double EvenPasses::AgreementOf(const Triangle& t) const
+{
+  const Vector3 n = this->Mesh.AreaNormal(t);
+  const double length = Norm(n);
+  return length > 0 ? std::min({ Dot(n, this->Normals[t[0]]), Dot(n, this->Normals[t[1]]),
+                        Dot(n, this->Normals[t[2]]) }) /
+      length
+                    : -1;
+}
+
+/// What new triangles have to agree with: as much as usual, or as those that they come from do; of
+/// these needles have no direction.
+double EvenPasses::AgreementWanted(const std::vector<int>& before, double cosine) const
+{
+  double wanted = cosine;
+  for (const int t : before)
+  {
+    const Triangle& corners = this->Mesh.Triangles[t];
+    if (this->Mesh.LeastAngle(corners) > NeedleAngle)
+    {
+      wanted = std::min(wanted, this->AgreementOf(corners));
+    }
+  }
+  return wanted;
+}
+
+/// From a triangle to the one beside it with a longer longest side, as long as there is one: halving
+/// that of the last makes no thin triangles.
+int EvenPasses::TerminalOf(int t) const
+{
+  // Lengths rise, so it ends.
+  while (true)
+  {
+    const int k = this->Mesh.LongestSide(t);
+    const int across = this->Mesh.Neighbour[t][k];
+    if (across < 0 ||
+      !(this->Mesh.SideLength(across, this->Mesh.LongestSide(across)) >
+        this->Mesh.SideLength(t, k)))
+    {
+      return t;
+    }
+    t = across;
+  }
+}
+
+void EvenPasses::SplitLong()
+{
+  // Each split halves an edge that is longer than a bound, so that they come to an end; the list
+  // grows meanwhile.
+  for (int t = 0; t < static_cast<int>(this->Mesh.Triangles.size()); ++t)
+  {
+    while (this->Mesh.IsAlive(t))
+    {
+      const int own = this->Mesh.LongestSide(t);
+      const auto ends = [&](int s, int k)
+      {
+        return std::make_pair(
+          this->Mesh.Triangles[s][(k + 1) % 3], this->Mesh.Triangles[s][(k + 2) % 3]);
+      };
+      if (this->Mesh.SideLength(t, own) <= LongEdge * this->EdgeLength)
+      {
+        break;
+      }
+      const int terminal = this->TerminalOf(t);
+      const int k = this->Mesh.LongestSide(terminal);
+      const auto [a, b] = ends(terminal, k);
+      const Vector3 sum = this->Normals[a] + this->Normals[b];
+      const double length = Norm(sum);
+      this->Mesh.Split(terminal, k);
+      this->Normals.push_back(length > 0 ? (1 / length) * sum : this->Normals[a]);
+      this->Thin.push_back(this->Thin[a] || this->Thin[b] ? 1 : 0);
+      if (this->Grid)
+      {
+        for (const int s : this->Mesh.Around(static_cast<int>(this->Mesh.Points.size()) - 1))
+        {
+          this->Register(s);
+        }
+      }
+    }
+  }
+}
+
+/// The least angle around a point, negative where a triangle has turned against the surface.
+double EvenPasses::QualityAround(int v) const
+{
+  double least = Pi;
+  for (const int t : this->Mesh.Around(v))
+  {
+    const Triangle& corners = this->Mesh.Triangles[t];
+    if (!(this->AgreementOf(corners) >= UsualCosine))
+    {
+      return -1;
+    }
+    least = std::min(least, this->Mesh.LeastAngle(corners));
+  }
+  return least;
+}
+
+/// The least angle that the triangles around a point would have in the other's place; negative where
+/// that may not be.
+double EvenPasses::QualityOfCollapse(int from, int into, double cosine) const
+{
+  double before = Pi;
+  double after = Pi;
+  const std::vector<int> around = this->Mesh.Around(from);
+  const double wanted = this->AgreementWanted(around, cosine);
+  for (const int t : around)
+  {
+    Triangle moved = this->Mesh.Triangles[t];
+    before = std::min(before, this->Mesh.LeastAngle(moved));
+    if (this->Mesh.CornerOf(t, into) >= 0)
+    {
+      continue;
+    }
+    double longest = this->Mesh.SideLength(t, this->Mesh.LongestSide(t));
+    std::replace(moved.begin(), moved.end(), from, into);
+    for (const int v : moved)
+    {
+      if (v != into)
+      {
+        const double length = Norm(this->Mesh.Points[v] - this->Mesh.Points[into]);
+        if (length > std::max(LongestMade * this->EdgeLength, 1.01 * longest))
+        {
+          return -1;
+        }
+      }
+    }
+    if (!(this->AgreementOf(moved) >= wanted))
+    {
+      return -1;
+    }
+    after = std::min(after, this->Mesh.LeastAngle(moved));
+  }
+  return after > std::min(before, 0.5 * GoodAngle) ? after : -1;
+}
+
+bool EvenPasses::Collapse(int u, int v, double cosine)
+{
+  const double intoV = this->Mesh.MayCollapse(u, v) ? this->QualityOfCollapse(u, v, cosine) : -1;
+  const double intoU = this->Mesh.MayCollapse(v, u) ? this->QualityOfCollapse(v, u, cosine) : -1;
+  if (std::max(intoV, intoU) <= 0)
+  {
+    return false;
+  }
+  const int from = intoV >= intoU ? u : v;
+  const std::vector<int> around = this->Mesh.Around(from);
+  const bool look =
+    cosine < UsualCosine || this->AnyThin(around) || this->AgreementWanted(around, cosine) < cosine;
+  const LinkedMesh::Memory memory = look ? this->Mesh.Remember(around) : LinkedMesh::Memory();
+  this->Mesh.Collapse(from, from == u ? v : u);
+  if (look && this->AnyCrosses(around))
+  {
+    this->Mesh.PutBack(memory);
+    return false;
+  }
+  std::for_each(around.begin(), around.end(), [this](int t) { this->Register(t); });
+  return true;
+}
+
+void EvenPasses::CollapseShort()
+{
+  for (int pass = 0; pass < MostPasses; ++pass)
+  {
+    std::vector<std::tuple<double, int, int>> edges;
+    for (const Triangle& t : this->Mesh.Triangles)
+    {
+      for (int k = 0; k < 3 && t[0] >= 0; ++k)
+      {
+        const int u = t[k];
+        const int v = t[(k + 1) % 3];
+        const double length = Norm(this->Mesh.Points[u] - this->Mesh.Points[v]);
+        if (u < v && length < ShortEdge * this->EdgeLength)
+        {
+          edges.emplace_back(length, u, v);
+        }
+      }
+    }
+    std::sort(edges.begin(), edges.end());
+    std::size_t collapsed = 0;
+    for (const auto& [length, u, v] : edges)
+    {
+      collapsed += this->Mesh.Find(u, v).first >= 0 && this->Collapse(u, v, UsualCosine) ? 1 : 0;
+    }
+    this->Observer.Update(0, "making the mesh even");
+    if (20 * collapsed <= edges.size())
+    {
+      return;
+    }
+  }
+}
+
+bool EvenPasses::FlipIfBetter(int t, int k, double cosine)
+{
+  const int across = this->Mesh.Neighbour[t][k];
+  if (across < 0)
+  {
+    return false;
+  }
+  const int a = this->Mesh.Triangles[t][k];
+  const int b = this->Mesh.Triangles[t][(k + 1) % 3];
+  const int c = this->Mesh.Triangles[t][(k + 2) % 3];
+  const int d =
+    this->Mesh
+      .Triangles[across][3 - this->Mesh.CornerOf(across, b) - this->Mesh.CornerOf(across, c)];
+  const Triangle one{ a, b, d };
+  const Triangle other{ a, d, c };
+  const double before = std::min(this->Mesh.LeastAngle(this->Mesh.Triangles[t]),
+    this->Mesh.LeastAngle(this->Mesh.Triangles[across]));
+  const double after = std::min(this->Mesh.LeastAngle(one), this->Mesh.LeastAngle(other));
+  const double wanted = this->AgreementWanted({ t, across }, cosine);
+  if (!(after > 1.0001 * before + 1e-9) ||
+    !(std::min(this->AgreementOf(one), this->AgreementOf(other)) >= wanted) ||
+    Norm(this->Mesh.Points[a] - this->Mesh.Points[d]) >
+      std::max(LongestMade * this->EdgeLength, this->Mesh.SideLength(t, k)) ||
+    !(Dot(this->Mesh.AreaNormal(one), this->Mesh.AreaNormal(other)) > 0) ||
+    !this->Mesh.MayFlip(t, k))
+  {
+    return false;
+  }
+  const bool look = wanted < UsualCosine || this->AnyThin({ t, across });
+  const LinkedMesh::Memory memory =
+    look ? this->Mesh.Remember({ t, across }) : LinkedMesh::Memory();
+  this->Mesh.Flip(t, k);
+  if (look && this->AnyCrosses({ t, across }))
+  {
+    this->Mesh.PutBack(memory);
+    return false;
+  }
+  this->Register(t);
+  this->Register(across);
+  return true;
+}
+
+bool EvenPasses::AnyThin(const std::vector<int>& triangles) const
+{
+  return std::any_of(triangles.begin(), triangles.end(),
+    [this](int t)
+    {
+      const Triangle& corners = this->Mesh.Triangles[t];
+      return this->Thin[corners[0]] || this->Thin[corners[1]] || this->Thin[corners[2]];
+    });
+}
+
+Box3 EvenPasses::BoxOf(int t) const
+{
+  Box3 box;
+  for (const int v : this->Mesh.Triangles[t])
+  {
+    box.Add(this->Mesh.Points[v]);
+  }
+  return box;
+}
+
+void EvenPasses::Register(int t)
+{
+  if (this->Grid && this->Mesh.IsAlive(t))
+  {
+    const Box3 box = this->BoxOf(t);
+    this->Grid->Put(t, box.Low, box.High);
+  }
+}
+
+bool EvenPasses::Crosses(int t)
+{
+  const Box3 box = this->BoxOf(t);
+  return this->Grid->AnyNear(box.Low, box.High,
+    [&](int s)
+    {
+      if (s == t || !this->Mesh.IsAlive(s) || !this->BoxOf(s).Meets(box))
+      {
+        return false;
+      }
+      const PairRelation relation = RelateTriangles(this->Mesh.Mesh, s, t);
+      return relation == PairRelation::Crossing || relation == PairRelation::Overlapping;
+    });
+}
+
+bool EvenPasses::AnyCrosses(const std::vector<int>& triangles)
+{
+  if (!this->Grid)
+  {
+    this->Grid = std::make_unique<TriangleGrid>(2 * this->EdgeLength);
+    for (int t = 0; t < static_cast<int>(this->Mesh.Triangles.size()); ++t)
+    {
+      this->Register(t);
+    }
+  }
+  for (const int t : triangles)
+  {
+    this->Register(t);
+  }
+  return std::any_of(triangles.begin(), triangles.end(),
+    [this](int t) { return this->Mesh.IsAlive(t) && this->Crosses(t); });
+}
+
+void EvenPasses::Flip()
+{
+  const int count = static_cast<int>(this->Mesh.Triangles.size());
+  std::vector<char> changed(count, 1);
+  std::vector<int> next(count);
+  std::vector<int> list;
+  for (int t = 0; t < count; ++t)
+  {
+    list.push_back(t);
+  }
+  // In passes over what has changed in the one before.
+  for (int pass = 0; pass < MostPasses && !list.empty(); ++pass)
+  {
+    next.clear();
+    std::fill(changed.begin(), changed.end(), 0);
+    for (const int t : list)
+    {
+      for (int k = 0; k < 3 && this->Mesh.IsAlive(t); ++k)
+      {
+        const int across = this->Mesh.Neighbour[t][k];
+        if (!this->FlipIfBetter(t, k, UsualCosine))
+        {
+          continue;
+        }
+        for (const int s : { t, across })
+        {
+          if (!changed[s])
+          {
+            changed[s] = 1;
+            next.push_back(s);
+          }
+        }
+      }
+    }
+    std::sort(next.begin(), next.end());
+    list = next;
+    this->Observer.Update(0, "making the mesh even");
+  }
+}
+
+/// The middle of the points around one, in its tangent plane.
+Point3 EvenPasses::Middle(int v) const
+{
+  const std::vector<int> around = this->Mesh.Neighbours(v);
+  Point3 mean{ 0, 0, 0 };
+  for (const int w : around)
+  {
+    mean = mean + this->Mesh.Points[w];
+  }
+  const Vector3 move = (1.0 / static_cast<double>(around.size())) * mean - this->Mesh.Points[v];
+  const Vector3& n = this->Normals[v];
+  return this->Mesh.Points[v] + (move - Dot(move, n) * n);
+}
+
+void EvenPasses::Spread()
+{
+  const std::size_t count = this->Mesh.Points.size();
+  std::vector<Point3> places(count);
+  std::vector<Vector3> normals(count);
+  std::vector<char> found(count, 0);
+  std::vector<Point3> middles(count);
+  for (std::size_t v = 0; v < count; ++v)
+  {
+    found[v] = this->Mesh.IsAlivePoint(static_cast<int>(v)) && !this->Mesh.OnBorder[v];
+    middles[v] = found[v] ? this->Middle(static_cast<int>(v)) : this->Mesh.Points[v];
+  }
+  ParallelForBlocks(count, PointsABlock, this->Threads,
+    [&](std::size_t from, std::size_t to)
+    {
+      for (std::size_t v = from; v < to; ++v)
+      {
+        const SurfacePlace place = found[v]
+          ? this->Surface.Nearest(middles[v], this->Normals[v], Reach * this->EdgeLength)
+          : SurfacePlace();
+        found[v] = place.Triangle >= 0;
+        if (found[v])
+        {
+          places[v] = place.On(this->Surface.Mesh);
+          normals[v] = this->Surface.NormalAt(place);
+        }
+      }
+    },
+    this->Observer, { 0, 0, "making the mesh even" });
+  for (std::size_t v = 0; v < count; ++v)
+  {
+    if (found[v])
+    {
+      this->Place(static_cast<int>(v), places[v], normals[v]);
+    }
+  }
+}
+
+/// Moves a point, unless that makes things worse.
+void EvenPasses::Place(int v, Point3& place, Vector3& normal)
+{
+  const double before = this->QualityAround(v);
+  const std::vector<int> around = this->Mesh.Around(v);
+  std::swap(this->Mesh.Points[v], place);
+  std::swap(this->Normals[v], normal);
+  if (!(this->QualityAround(v) > std::min(before, GoodAngle)) ||
+    (this->AnyThin(around) && this->AnyCrosses(around)))
+  {
+    std::swap(this->Mesh.Points[v], place);
+    std::swap(this->Normals[v], normal);
+  }
+  std::for_each(around.begin(), around.end(), [this](int t) { this->Register(t); });
+}
+
+bool EvenPasses::Mend(int t, double cosine)
+{
+  if (this->FlipIfBetter(t, this->Mesh.LongestSide(t), cosine))
+  {
+    return true;
+  }
+  std::array<std::pair<double, int>, 3> sides;
+  for (int k = 0; k < 3; ++k)
+  {
+    sides[k] = { this->Mesh.SideLength(t, k), k };
+  }
+  std::sort(sides.begin(), sides.end());
+  const Triangle corners = this->Mesh.Triangles[t];
+  return std::any_of(sides.begin(), sides.end(),
+    [&](const auto& side) {
+      return this->Collapse(corners[(side.second + 1) % 3], corners[(side.second + 2) % 3], cosine);
+    });
+}
+
+void EvenPasses::MendSlivers()
+{
+  const double least = FairLeastAngle * 1.2 * Pi / 180;
+  for (int pass = 0; pass < MostPasses; ++pass)
+  {
+    std::size_t mended = 0;
+    const double cosine = 2 * pass < MostPasses ? UsualCosine : LeastCosine;
+    for (int t = 0; t < static_cast<int>(this->Mesh.Triangles.size()); ++t)
+    {
+      if (this->Mesh.IsAlive(t) && this->Mesh.LeastAngle(this->Mesh.Triangles[t]) < least)
+      {
+        mended += this->Mend(t, cosine) ? 1 : 0;
+      }
+    }
+    if (mended == 0 && 2 * pass >= MostPasses)
+    {
+      return;
+    }
+  }
+}
+}

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @file EvenPasses.h
+ * @brief Passes over a mesh that make its edges as long as they should be and its angles large
+ * (Botsch and Kobbelt 2004).
+ */
+#ifndef recon_EvenPasses_h
+#define recon_EvenPasses_h
+
+#include "Base/BoundingBox.h"
+#include "Base/Monitor.h"
+#include "Fair/LinkedMesh.h"
+#include "Fair/SurfacePlaces.h"
+#include "Implicit/ZeroSet/TriangleGrid.h"
+
+#include <memory>
+#include <vector>
+
+namespace recon
+{
+/// The least angle that a fair surface's triangles should have, degrees.
+constexpr double FairLeastAngle = 5;
+
+/**
+ * @class EvenPasses
+ * @brief Splits, collapses, flips and spreads over a LinkedMesh, which keep the manifold's genus.
+ *
+ * No triangle turns against the surface's normals. Where these say nothing, as on needles and knife
+ * edges, and where another sheet is near, no change is made by which triangles cross.
+ */
+class EvenPasses
+{
+public:
+  /// @param surface what points are put back onto; outlives this
+  /// @param edgeLength what edges should have
+  EvenPasses(const TriangleMesh& mesh, const SurfacePlaces& surface, double edgeLength, int threads,
+    Monitor& monitor);
+
+  void SplitLong();
+  void CollapseShort();
+  /// Where the smaller of two triangles' least angles becomes larger.
+  void Flip();
+  /// Every point to the middle of those around it, along the surface.
+  void Spread();
+  /// Triangles below FairLeastAngle: flips their longest side, or collapses their shortest.
+  void MendSlivers();
+
+  LinkedMesh Mesh;
+  std::vector<Vector3> Normals; ///< of the surface, at the mesh's points
+  std::vector<char> Thin;       ///< points around which changes are looked at
+
+private:
+  using Triangle = LinkedMesh::Triangle;
+
+  double AgreementOf(const Triangle& t) const;
+  double AgreementWanted(const std::vector<int>& before, double cosine) const;
+  double QualityAround(int v) const;
+  double QualityOfCollapse(int from, int into, double cosine) const;
+  bool Collapse(int u, int v, double cosine);
+  bool FlipIfBetter(int t, int k, double cosine);
+  int TerminalOf(int t) const;
+  Point3 Middle(int v) const;
+  void Place(int v, Point3& place, Vector3& normal);
+  bool AnyThin(const std::vector<int>& triangles) const;
+  Box3 BoxOf(int t) const;
+  void Register(int t);
+  bool Crosses(int t);
+  bool AnyCrosses(const std::vector<int>& triangles);
+  bool Mend(int t, double cosine);
+
+  const SurfacePlaces& Surface;
+  double EdgeLength;
+  std::unique_ptr<TriangleGrid> Grid; ///< made when it is first asked
+  int Threads;
+  Monitor& Observer;
+};
+}
+
+#endif

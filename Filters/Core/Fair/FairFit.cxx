@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Fair/FairFit.h"
+
+#include "Base/Parallel.h"
+#include "Fair/EvenPasses.h"
+#include "Fair/UncrossedMove.h"
+#include "Mesh/TriangleTree.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace recon
+{
+namespace
+{
+constexpr double Pi = 3.14159265358979323846;
+/// A sample is looked for on the mesh within so many edge lengths.
+constexpr double Reach = 2;
+/// Pulls that miss get so many times the weight, so many times.
+constexpr double MoreWeight = 10;
+constexpr int MostSolves = 3;
+/// Passes over the samples that are too far, and rounds of passes with what crosses taken back; they
+/// are brought to this part of the tolerance.
+constexpr int Passes = 12;
+constexpr int Rounds = 3;
+constexpr double PartOfTolerance = 0.7;
+constexpr std::size_t SamplesABlock = 256;
+
+std::vector<SurfacePlace> PlacesOf(const SurfacePlaces& surface,
+  const std::vector<ContourSample>& samples, double radius, int threads, Monitor& monitor)
+{
+  std::vector<SurfacePlace> places(samples.size());
+  ParallelForBlocks(samples.size(), SamplesABlock, threads,
+    [&](std::size_t from, std::size_t to)
+    {
+      for (std::size_t i = from; i < to; ++i)
+      {
+        places[i] = surface.Nearest(samples[i].Place, samples[i].Outward, radius);
+      }
+    },
+    monitor, { 0, 0, "fairing" });
+  return places;
+}
+
+/// By as little as takes the place there: a corner by its share.
+void Take(TriangleMesh& mesh, const SurfacePlace& place, const Vector3& way)
+{
+  double squares = 0;
+  for (const double share : place.Shares)
+  {
+    squares += share * share;
+  }
+  for (int k = 0; k < 3; ++k)
+  {
+    Point3& corner = mesh.Points[mesh.Triangles[place.Triangle][k]];
+    corner = corner + (place.Shares[k] / squares) * way;
+  }
+}
+}
+
+SampleMisfit MeasureMisfit(const TriangleMesh& mesh, const std::vector<ContourSample>& samples,
+  double tolerance, int threads, Monitor& monitor)
+{
+  const TriangleTree tree(mesh);
+  std::vector<double> distances(samples.size(), 0);
+  ParallelForBlocks(samples.size(), SamplesABlock, threads,
+    [&](std::size_t from, std::size_t to)
+    {
+      for (std::size_t i = from; i < to; ++i)
+      {
+        distances[i] = samples[i].IsVertex
+          ? tree.DistanceTo(samples[i].Place, std::numeric_limits<double>::max())
+          : 0;
+      }
+    },
+    monitor, { 0, 0, "fairing" });
+  SampleMisfit misfit;
+  for (std::size_t i = 0; i < samples.size(); ++i)
+  {
+    misfit.Farthest = std::max(misfit.Farthest, distances[i]);
+    misfit.Beyond += distances[i] > tolerance ? 1 : 0;
+  }
+  return misfit;
+}
+
+std::vector<Pull> PullsOf(const SurfacePlaces& surface, const std::vector<ContourSample>& samples,
+  const FairFitOptions& options, Monitor& monitor)
+{
+  const std::vector<SurfacePlace> places =
+    PlacesOf(surface, samples, Reach * options.EdgeLength, options.Threads, monitor);
+  std::vector<Pull> pulls;
+  for (std::size_t i = 0; i < samples.size(); ++i)
+  {
+    if (places[i].Triangle >= 0)
+    {
+      pulls.push_back(
+        { places[i], samples[i].Place, samples[i].Outward, options.Weight * samples[i].Length });
+    }
+  }
+  return pulls;
+}
+
+std::vector<Point3> SolveWithin(FairSystem& system, const TriangleMesh& mesh,
+  std::vector<Pull>& pulls, double tension, const FairFitOptions& options, Monitor& monitor)
+{
+  TriangleMesh moved = mesh;
+  for (int solve = 0; solve < MostSolves; ++solve)
+  {
+    monitor.Update(static_cast<double>(solve) / MostSolves, "fairing");
+    moved.Points = system.Solve(pulls, tension);
+    const SurfacePlaces surface(moved);
+    std::size_t missed = 0;
+    for (Pull& pull : pulls)
+    {
+      const SurfacePlace place = surface.Nearest(pull.To, pull.Outward, Reach * options.EdgeLength);
+      const bool misses = place.Triangle < 0 || place.Distance > options.Tolerance;
+      pull.From = place.Triangle < 0 ? pull.From : place;
+      pull.Weight *= misses ? MoreWeight : 1;
+      missed += misses ? 1 : 0;
+    }
+    if (missed == 0)
+    {
+      break;
+    }
+  }
+  return std::move(moved.Points);
+}
+
+TriangleMesh PullWithin(const TriangleMesh& mesh, const std::vector<ContourSample>& samples,
+  const FairFitOptions& options, Monitor& monitor)
+{
+  TriangleMesh pulled = mesh;
+  for (int round = 0; round < Rounds; ++round)
+  {
+    const SurfacePlaces surface(pulled);
+    const std::vector<SurfacePlace> places =
+      PlacesOf(surface, samples, Reach * options.EdgeLength, options.Threads, monitor);
+    TriangleMesh moved = pulled;
+    std::size_t taken = 0;
+    for (int pass = 0; pass < Passes; ++pass)
+    {
+      monitor.Update(0, "fairing");
+      for (std::size_t i = 0; i < samples.size(); ++i)
+      {
+        if (!samples[i].IsVertex || places[i].Triangle < 0)
+        {
+          continue;
+        }
+        const Vector3 way = samples[i].Place - places[i].On(moved);
+        const double distance = Norm(way);
+        if (distance > options.Tolerance)
+        {
+          Take(moved, places[i], (1 - PartOfTolerance * options.Tolerance / distance) * way);
+          ++taken;
+        }
+      }
+    }
+    if (taken == 0)
+    {
+      break;
+    }
+    pulled =
+      MoveUncrossed(pulled, moved.Points, FairLeastAngle * Pi / 180, options.Threads, monitor).Mesh;
+  }
+  return pulled;
+}
+}

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @file FairFit.h
+ * @brief An even mesh moved to where it bends least, within a tolerance of contour samples.
+ */
+#ifndef recon_FairFit_h
+#define recon_FairFit_h
+
+#include "Base/Monitor.h"
+#include "Fair/ContourSamples.h"
+#include "Fair/FairSystem.h"
+#include "Fair/SurfacePlaces.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace recon
+{
+struct FairFitOptions
+{
+  double Tolerance = 0;  ///< in the units of the input
+  double EdgeLength = 1; ///< of the mesh
+  double Weight = 1;     ///< of pulls, see FairSystem; those that miss get more
+  int Threads = 0;
+};
+
+/// How far the vertices among samples are from a mesh.
+struct SampleMisfit
+{
+  double Farthest = 0;
+  std::size_t Beyond = 0; ///< farther away than a tolerance
+};
+
+SampleMisfit MeasureMisfit(const TriangleMesh& mesh, const std::vector<ContourSample>& samples,
+  double tolerance, int threads, Monitor& monitor);
+
+/// The pulls of samples at the places of the mesh nearest to them; those that have none within some
+/// edge lengths are passed over.
+std::vector<Pull> PullsOf(const SurfacePlaces& surface, const std::vector<ContourSample>& samples,
+  const FairFitOptions& options, Monitor& monitor);
+
+/**
+ * Solves, and again a few times with pulls at the places that are nearest by then, so that the
+ * surface may slide along itself, and with more weight where it is farther than the tolerance.
+ *
+ * @returns places of the mesh's points @throws Error, Aborted
+ */
+std::vector<Point3> SolveWithin(FairSystem& system, const TriangleMesh& mesh,
+  std::vector<Pull>& pulls, double tension, const FairFitOptions& options, Monitor& monitor);
+
+/**
+ * Moves the corners of the triangles that vertices among the samples are farther away from than the
+ * tolerance by as little as takes them there, in turn, a few times (Kaczmarz). Nothing crosses by it,
+ * and no angle becomes small.
+ */
+TriangleMesh PullWithin(const TriangleMesh& mesh, const std::vector<ContourSample>& samples,
+  const FairFitOptions& options, Monitor& monitor);
+}
+
+#endif

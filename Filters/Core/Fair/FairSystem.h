@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @file FairSystem.h
+ * @brief Moves the points of a mesh to where it bends least, pulled to given places.
+ */
+#ifndef recon_FairSystem_h
+#define recon_FairSystem_h
+
+#include "Fair/SurfacePlaces.h"
+#include "Mesh/TriangleMesh.h"
+
+#include <memory>
+#include <vector>
+
+namespace recon
+{
+/// A place of the mesh, and where it should be.
+struct Pull
+{
+  SurfacePlace From;
+  Point3 To;
+  Vector3 Outward; ///< unit, the side of the surface that faces there
+  double Weight;   ///< of the squared distance, per cube of the scale
+};
+
+/**
+ * @class FairSystem
+ * @brief Thin plate and membrane over a mesh (Botsch and Kobbelt 2004), solved by a sparse Cholesky
+ * factorisation.
+ *
+ * With x the places of the points, x0 those of the mesh, h the scale and t the tension, it makes
+ *
+ *     (1 - t) ∫|Δx|² + t s / h² ∫|∇(x - x0)|² + Σ Weight / h³ |x(From) - To|²
+ *
+ * least. Δ is the Laplacian of the mesh as it is (cotangents). t = 1 leaves the mesh where it is as
+ * far as pulls allow.
+ */
+class FairSystem
+{
+public:
+  /// The mesh outlives this. @param scale length of what is bridged: the distance of slices
+  FairSystem(const TriangleMesh& mesh, double scale);
+  ~FairSystem();
+  FairSystem(const FairSystem&) = delete;
+  FairSystem& operator=(const FairSystem&) = delete;
+
+  /// The points' new places. @throws Error where there is not enough memory for it
+  std::vector<Point3> Solve(const std::vector<Pull>& pulls, double tension);
+
+private:
+  struct Implementation;
+  std::unique_ptr<Implementation> Impl;
+};
+}
+
+#endif

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @file LinkedMesh.h
+ * @brief Triangles that know their neighbours, for many changes of a mesh in little time.
+ */
+#ifndef recon_LinkedMesh_h
+#define recon_LinkedMesh_h
+
+#include "Mesh/TriangleMesh.h"
+
+#include <array>
+#include <utility>
+#include <vector>
+
+namespace recon
+{
+/**
+ * @class LinkedMesh
+ * @brief A manifold, closed or with a border, whose edges are split, flipped and collapsed.
+ *
+ * Side k of a triangle lies opposite its corner k. Each change takes time by the triangles around
+ * its ends.
+ */
+class LinkedMesh
+{
+public:
+  using Triangle = std::array<int, 3>;
+  static constexpr int None = -1;
+
+  explicit LinkedMesh(const TriangleMesh& mesh);
+  LinkedMesh(const LinkedMesh&) = delete;
+  LinkedMesh& operator=(const LinkedMesh&) = delete;
+
+  /// Triangles and points as they were, to be put back.
+  struct Memory
+  {
+    std::vector<std::array<Triangle, 2>> Triangles; ///< corners and neighbours
+    std::vector<int> Numbers;                       ///< of the triangles
+    std::vector<std::pair<int, int>> Points;        ///< number, and a triangle of it
+  };
+  /// All that a flip across sides of them, or a collapse of a point that they are all around, changes.
+  Memory Remember(const std::vector<int>& triangles) const;
+  void PutBack(const Memory& memory);
+
+  bool IsAlive(int t) const { return this->Triangles[t][0] >= 0; }
+  bool IsAlivePoint(int v) const { return this->TriangleAt[v] >= 0; }
+  int CornerOf(int t, int v) const;
+  /// The triangles around a point, in turn; at a border from one end to the other.
+  const std::vector<int>& Around(int v) const;
+  /// The points around a point.
+  std::vector<int> Neighbours(int v) const;
+  /// (triangle, side) of an edge, (None, 0) where there is none.
+  std::pair<int, int> Find(int u, int v) const;
+
+  Vector3 AreaNormal(const Triangle& t) const;
+  double LeastAngle(const Triangle& t) const; ///< radians
+  double SideLength(int t, int k) const;
+  int LongestSide(int t) const;
+
+  /// Halves a side. @returns the new point, which is nowhere yet but in the middle.
+  int Split(int t, int k);
+  bool MayFlip(int t, int k) const;
+  void Flip(int t, int k);
+  /// Whether a point can go into its neighbour and leave a manifold of the same genus and border.
+  bool MayCollapse(int from, int into) const;
+  void Collapse(int from, int into);
+
+  /// What is alive; the points' new numbers are in the order of the old ones.
+  TriangleMesh Compact(std::vector<int>* oldNumbers = nullptr) const;
+
+  TriangleMesh Mesh;
+  std::vector<Point3>& Points;
+  std::vector<Triangle>& Triangles; ///< dead ones: None
+  std::vector<Triangle> Neighbour;  ///< of a triangle, across its sides; None at a border
+  std::vector<int> TriangleAt;      ///< a triangle of each point, None where it has none
+  std::vector<char> OnBorder;       ///< a point
+
+private:
+  void Link();
+  void Relink(int t, int was, int now);
+  bool TakeAway(int t, int from, int into);
+
+  mutable std::vector<int> Ring; ///< what Around gives, until it is called again
+};
+
+/// The smallest angle of a triangle, radians.
+double SmallestAngle(const Point3& a, const Point3& b, const Point3& c);
+}
+
+#endif

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Fair/UncrossedMove.h"
+
+#include "Fair/LinkedMesh.h"
+#include "Mesh/SelfIntersections.h"
+
+#include <algorithm>
+
+namespace recon
+{
+namespace
+{
+/// So many times ways are halved; then points stay, and after as many more times all of them do.
+constexpr int Halvings = 4;
+constexpr int MostAttempts = 10;
+
+class Mover
+{
+public:
+  Mover(const TriangleMesh& mesh, const std::vector<Point3>& places, double leastAngle, int threads,
+    Monitor& monitor)
+    : Given(mesh),
+      Places(places),
+      LeastAngle(leastAngle),
+      Threads(threads),
+      Observer(monitor),
+      Share(mesh.Points.size(), 1)
+  {
+  }
+
+  UncrossedMove Move()
+  {
+    UncrossedMove moved;
+    moved.Mesh = this->Given;
+    for (int attempt = 0; attempt < MostAttempts; ++attempt)
+    {
+      this->Apply(moved.Mesh);
+      std::vector<char> bad = this->FindBad(moved.Mesh);
+      if (std::none_of(bad.begin(), bad.end(), [](char b) { return b != 0; }))
+      {
+        moved.HeldBack = std::count_if(
+          this->Share.begin(), this->Share.end(), [](double share) { return share < 1; });
+        return moved;
+      }
+      for (int ring = 0; ring <= attempt; ++ring)
+      {
+        this->Grow(bad);
+      }
+      for (std::size_t v = 0; v < bad.size(); ++v)
+      {
+        this->Share[v] = !bad[v] ? this->Share[v] : attempt < Halvings ? 0.5 * this->Share[v] : 0;
+      }
+    }
+    moved.Mesh = this->Given;
+    moved.HeldBack = this->Share.size();
+    return moved;
+  }
+
+private:
+  void Apply(TriangleMesh& mesh) const
+  {
+    for (std::size_t v = 0; v < this->Share.size(); ++v)
+    {
+      const Point3& from = this->Given.Points[v];
+      mesh.Points[v] = this->Share[v] == 1 ? this->Places[v]
+        : this->Share[v] == 0              ? from
+                                           : from + this->Share[v] * (this->Places[v] - from);
+    }
+  }
+
+  /// Points of triangles that cross or are too thin now.
+  std::vector<char> FindBad(const TriangleMesh& mesh) const
+  {
+    std::vector<char> bad(mesh.Points.size(), 0);
+    const auto mark = [&](int t)
+    {
+      for (const int v : mesh.Triangles[t])
+      {
+        bad[v] = this->Share[v] > 0 ? 1 : bad[v];
+      }
+    };
+    SelfIntersectionOptions options;
+    options.Threads = this->Threads;
+    for (const IntersectingPair& pair : FindSelfIntersections(mesh, options, this->Observer).Pairs)
+    {
+      if (pair.Kind != IntersectingPair::Touching)
+      {
+        mark(pair.First);
+        mark(pair.Second);
+      }
+    }
+    for (int t = 0; this->LeastAngle > 0 && t < static_cast<int>(mesh.Triangles.size()); ++t)
+    {
+      if (this->AngleIn(mesh, t) < this->LeastAngle &&
+        this->AngleIn(mesh, t) < this->AngleIn(this->Given, t))
+      {
+        mark(t);
+      }
+    }
+    return bad;
+  }
+
+  static double AngleIn(const TriangleMesh& mesh, int t)
+  {
+    const auto& corners = mesh.Triangles[t];
+    return SmallestAngle(mesh.Points[corners[0]], mesh.Points[corners[1]], mesh.Points[corners[2]]);
+  }
+
+  /// By the triangles around.
+  void Grow(std::vector<char>& marked) const
+  {
+    const std::vector<char> before = marked;
+    for (const auto& t : this->Given.Triangles)
+    {
+      if (before[t[0]] || before[t[1]] || before[t[2]])
+      {
+        marked[t[0]] = marked[t[1]] = marked[t[2]] = 1;
+      }
+    }
+  }
+
+  const TriangleMesh& Given;
+  const std::vector<Point3>& Places;
+  double LeastAngle;
+  int Threads;
+  Monitor& Observer;
+  std::vector<double> Share; ///< of its way, a point
+};
+}
+
+UncrossedMove MoveUncrossed(const TriangleMesh& mesh, const std::vector<Point3>& places,
+  double leastAngle, int threads, Monitor& monitor)
+{
+  return Mover(mesh, places, leastAngle, threads, monitor).Move();
+}
+}

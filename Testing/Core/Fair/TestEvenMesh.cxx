@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Fair/EvenMesh.h"
+
+#include "Base/Median.h"
+#include "Core/Mesh/MeshInvariants.h"
+#include "Core/Mesh/MeshShapes.h"
+#include "Fair/EvenPasses.h"
+#include "Mesh/MassProperties.h"
+#include "Mesh/MeshTopology.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+using namespace recon;
+using namespace recon::testing;
+
+namespace
+{
+/// Of a given length, closed, of one genus, with angles that are not small.
+void ExpectEven(const TriangleMesh& given, double edgeLength)
+{
+  Monitor monitor;
+  const EvenMesh even = MakeEvenMesh(given, edgeLength, 1, monitor);
+  EXPECT_EQ(even.Crossing, 0);
+  const TopologyFigures figures = CheckTopology(even.Mesh).Total;
+  EXPECT_TRUE(figures.Closed && figures.Manifold() && figures.Outward);
+  EXPECT_EQ(figures.Euler, CheckTopology(given).Total.Euler);
+  EXPECT_GT(ComputeSmallestAngle(even.Mesh), FairLeastAngle);
+  std::vector<double> lengths;
+  for (const auto& t : even.Mesh.Triangles)
+  {
+    lengths.push_back(Norm(even.Mesh.Points[t[1]] - even.Mesh.Points[t[0]]));
+  }
+  EXPECT_NEAR(Median(lengths), edgeLength, 0.3 * edgeLength);
+}
+}
+
+TEST(EvenMesh, OfLongAndOfShortTriangles)
+{
+  const TriangleMesh torus = MakeTorus(3, 1, 300, 8); // six times as long as wide
+  ExpectEven(torus, 0.3);
+  ExpectEven(torus, 0.15);
+}
+
+TEST(EvenMesh, OfACube)
+{
+  ExpectEven(MakeCube(), 0.2);
+}
+
+TEST(EvenMesh, DoesNotDependOnTheThreads)
+{
+  Monitor monitor;
+  const TriangleMesh torus = MakeTorus(3, 1, 100, 8);
+  const EvenMesh one = MakeEvenMesh(torus, 0.2, 1, monitor);
+  const EvenMesh four = MakeEvenMesh(torus, 0.2, 4, monitor);
+  EXPECT_EQ(one.Mesh.Points, four.Mesh.Points);
+  EXPECT_EQ(one.Mesh.Triangles, four.Mesh.Triangles);
+}
+
+TEST(EvenMesh, SheetsThatAreNearDoNotCross)
+{
+  // Two cubes a hundredth of an edge apart.
+  TriangleMesh both = MakeCube();
+  TriangleMesh other = MakeCube();
+  Move(other, { 1.002, 0, 0 });
+  Append(both, other);
+  Monitor monitor;
+  const EvenMesh even = MakeEvenMesh(both, 0.2, 1, monitor);
+  EXPECT_EQ(even.Crossing, 0);
+  EXPECT_EQ(CheckTopology(even.Mesh).Total.Euler, 4);
+}
+
+TEST(EvenPasses, SplittingKeepsTheShape)
+{
+  const TriangleMesh cube = MakeCube();
+  const SurfacePlaces surface(cube);
+  Monitor monitor;
+  EvenPasses passes(cube, surface, 0.25, 1, monitor);
+  passes.SplitLong();
+  const TriangleMesh made = passes.Mesh.Compact();
+  EXPECT_GT(made.Triangles.size(), 200u);
+  ExpectVolume(made, 1, 1e-12);
+}

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Fair/FairSurface.h"
+
+#include "Core/Mesh/MeshInvariants.h"
+#include "Core/Polyhedral/PolyhedralShapes.h"
+#include "Mesh/MassProperties.h"
+#include "Mesh/MeshTopology.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace recon;
+using namespace recon::testing;
+
+namespace
+{
+FairOptions Usual()
+{
+  FairOptions options;
+  options.Polyhedral.Mapping = PolyhedralOptions::Overlap;
+  options.Polyhedral.EndCaps = PolyhedralOptions::Tapered;
+  options.Polyhedral.IsolatedContours = PolyhedralOptions::Extrude;
+  options.Polyhedral.PinchGap = 1e-3;
+  return options;
+}
+
+FairSurface Build(const ContourSet& contours, const FairOptions& options)
+{
+  Monitor monitor;
+  return BuildFairSurface(contours, options, monitor);
+}
+
+double AreaOf(const TriangleMesh& mesh)
+{
+  double area = 0;
+  for (const auto& t : mesh.Triangles)
+  {
+    const Vector3 u = mesh.Points[t[1]] - mesh.Points[t[0]];
+    area += 0.5 * Norm(Cross(u, mesh.Points[t[2]] - mesh.Points[t[0]]));
+  }
+  return area;
+}
+
+/// Sections of a ball, the outermost half a slice from the poles.
+ContourSet Ball(double radius, int slices)
+{
+  RingStack levels;
+  for (int l = 0; l < slices; ++l)
+  {
+    const double z = radius * (2 * (l + 0.5) / slices - 1);
+    levels.push_back({ RegularPolygon(120, std::sqrt(radius * radius - z * z)) });
+  }
+  return BuildStack(levels, 2 * radius / slices);
+}
+
+void ExpectSoundAndAsPolyhedral(const ContourSet& contours, const FairOptions& options)
+{
+  Monitor monitor;
+  const FairSurface fair = Build(contours, options);
+  ExpectSoundSurface(fair.Mesh);
+  const PolyhedralSurface polyhedral =
+    BuildPolyhedralSurface(contours, options.Polyhedral, monitor);
+  EXPECT_EQ(CheckTopology(fair.Mesh).Total.Euler, CheckTopology(polyhedral.Mesh).Total.Euler);
+  EXPECT_EQ(fair.Beyond, 0u);
+  EXPECT_LE(fair.Farthest, fair.Tolerance);
+}
+}
+
+TEST(FairSurface, KeepsTopologyAndTolerance)
+{
+  ExpectSoundAndAsPolyhedral(Ball(10, 12), Usual());
+  // One that becomes two, and a ring.
+  ExpectSoundAndAsPolyhedral(
+    BuildStack({ { RegularPolygon(60, 6) }, { RegularPolygon(60, 6) },
+      { RegularPolygon(40, 2.5, 0, { -3, 0 }), RegularPolygon(40, 2.5, 0, { 3, 0 }) },
+      { RegularPolygon(40, 2.5, 0, { -3, 0 }), RegularPolygon(40, 2.5, 0, { 3, 0 }) } }),
+    Usual());
+  ExpectSoundAndAsPolyhedral(BuildStack({ { RegularPolygon(60, 6), RegularPolygon(40, 3) },
+                               { RegularPolygon(60, 6), RegularPolygon(40, 3) },
+                               { RegularPolygon(60, 5.5), RegularPolygon(40, 3.5) } }),
+    Usual());
+}
+
+TEST(FairSurface, IsNearerToABallThanThePolyhedralOne)
+{
+  Monitor monitor;
+  const ContourSet ball = Ball(10, 12);
+  const auto meanMiss = [](const TriangleMesh& mesh)
+  {
+    double miss = 0;
+    double all = 0;
+    for (const auto& t : mesh.Triangles)
+    {
+      const Point3 middle =
+        (1.0 / 3) * (mesh.Points[t[0]] + (mesh.Points[t[1]] + mesh.Points[t[2]]));
+      const double area =
+        Norm(Cross(mesh.Points[t[1]] - mesh.Points[t[0]], mesh.Points[t[2]] - mesh.Points[t[0]]));
+      const double fromMiddle = Norm(middle - Point3{ 0, 0, 55.0 / 6 });
+      miss += area * std::abs(fromMiddle - 10);
+      all += area;
+    }
+    return miss / all;
+  };
+  const double fair = meanMiss(Build(ball, Usual()).Mesh);
+  const double polyhedral =
+    meanMiss(BuildPolyhedralSurface(ball, Usual().Polyhedral, monitor).Mesh);
+  EXPECT_LT(fair, 0.5 * polyhedral);
+}
+
+TEST(FairSurface, EvensOutPixels)
+{
+  const ContourSet discs = BuildStack(
+    { { PixelDisc(9, 1) }, { PixelDisc(10, 1) }, { PixelDisc(10, 1) }, { PixelDisc(9, 1) } });
+  const FairSurface fair = Build(discs, Usual());
+  ExpectSoundSurface(fair.Mesh);
+  EXPECT_NEAR(fair.Tolerance, 0.5, 1e-9);
+  EXPECT_LE(fair.Farthest, fair.Tolerance);
+  Monitor monitor;
+  const PolyhedralSurface stairs = BuildPolyhedralSurface(discs, Usual().Polyhedral, monitor);
+  EXPECT_LT(AreaOf(fair.Mesh), AreaOf(stairs.Mesh));
+}
+
+TEST(FairSurface, PropertiesAreTaken)
+{
+  FairOptions options = Usual();
+  options.EdgeLength = 1.5;
+  options.Tolerance = 0.4;
+  options.Tension = 1;
+  const FairSurface fair = Build(Ball(10, 12), options);
+  EXPECT_EQ(fair.EdgeLength, 1.5);
+  EXPECT_EQ(fair.Tolerance, 0.4);
+  EXPECT_EQ(fair.Tension, 1);
+  options.EdgeLength = 0.75;
+  EXPECT_GT(Build(Ball(10, 12), options).Mesh.Triangles.size(), 3 * fair.Mesh.Triangles.size());
+}
+
+TEST(FairSurface, SaysWhatItChose)
+{
+  const FairSurface fair = Build(Ball(10, 12), Usual());
+  ASSERT_FALSE(fair.Report.empty());
+  EXPECT_NE(fair.Report.back().find("a tolerance of"), std::string::npos) << fair.Report.back();
+}
+
+TEST(FairSurface, DoesNotDependOnTheThreads)
+{
+  FairOptions options = Usual();
+  options.Threads = 1;
+  const FairSurface one = Build(Ball(10, 12), options);
+  options.Threads = 3;
+  const FairSurface three = Build(Ball(10, 12), options);
+  EXPECT_EQ(one.Mesh.Points, three.Mesh.Points);
+  EXPECT_EQ(one.Mesh.Triangles, three.Mesh.Triangles);
+}
+
+TEST(FairSurface, CanBeStopped)
+{
+  class Impatient : public Monitor
+  {
+    bool AbortRequested() override { return ++this->Asked > 30; }
+    int Asked = 0;
+  } impatient;
+  EXPECT_THROW(BuildFairSurface(Ball(10, 12), Usual(), impatient), Aborted);
+}
+
+TEST(FairSurface, OneSliceIsAnError)
+{
+  EXPECT_THROW(Build(BuildStack({ { RegularPolygon(9, 1) } }), Usual()), Error);
+}

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Fair/UncrossedMove.h"
+
+#include "Core/Mesh/MeshShapes.h"
+#include "Mesh/SelfIntersections.h"
+
+#include <gtest/gtest.h>
+
+using namespace recon;
+using namespace recon::testing;
+
+TEST(UncrossedMove, GoesAllTheWayWhereNothingCrosses)
+{
+  const TriangleMesh sphere = MakeSphere(24, 12);
+  std::vector<Point3> places = sphere.Points;
+  for (Point3& p : places)
+  {
+    p = 1.5 * p;
+  }
+  Monitor monitor;
+  const UncrossedMove moved = MoveUncrossed(sphere, places, 0, 1, monitor);
+  EXPECT_EQ(moved.Mesh.Points, places);
+  EXPECT_EQ(moved.HeldBack, 0u);
+}
+
+TEST(UncrossedMove, HoldsBackWhatWouldCross)
+{
+  // Two balls that grow into each other; far sides go all the way.
+  TriangleMesh balls = MakeSphere(24, 12);
+  TriangleMesh other = MakeSphere(24, 12);
+  Move(other, { 2.2, 0, 0 });
+  Append(balls, other);
+  std::vector<Point3> places = balls.Points;
+  for (std::size_t p = 0; p < places.size(); ++p)
+  {
+    const Point3 middle{ p < places.size() / 2 ? 0.0 : 2.2, 0, 0 };
+    places[p] = middle + 1.3 * (places[p] - middle);
+  }
+  Monitor monitor;
+  const UncrossedMove moved = MoveUncrossed(balls, places, 0, 1, monitor);
+  EXPECT_FALSE(FindSelfIntersections(moved.Mesh, monitor).Any());
+  EXPECT_GT(moved.HeldBack, 0u);
+  EXPECT_LT(moved.HeldBack, places.size());
+}
+
+TEST(UncrossedMove, LetsNoAngleBecomeSmall)
+{
+  const TriangleMesh sphere = MakeSphere(24, 12);
+  std::vector<Point3> places = sphere.Points;
+  places[100] = places[101]; // a collapsed edge
+  Monitor monitor;
+  const UncrossedMove moved = MoveUncrossed(sphere, places, 0.05, 1, monitor);
+  EXPECT_GT(Norm(moved.Mesh.Points[100] - moved.Mesh.Points[101]), 0.01);
+}
