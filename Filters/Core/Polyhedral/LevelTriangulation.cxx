@@ -127,7 +127,8 @@ struct LevelTriangulator::Implementation
   bool MayInsert(const Kernel::Point_2& p, bool inside, bool mayLieOnCircle, FaceHandle hint,
     FaceHandle& where, VertexHandle& twin) const;
 
-  std::vector<VertexHandle> VertexOf; ///< by index into ContourSet::Points
+  std::vector<VertexHandle> VertexOf; ///< by index into ContourSet::Points, from FirstPoint on
+  int FirstPoint = 0;
 };
 
 std::vector<VertexHandle> LevelTriangulator::Implementation::InsertContourVertices()
@@ -150,10 +151,20 @@ std::vector<VertexHandle> LevelTriangulator::Implementation::InsertContourVertic
   this->GivenPoints = points.size();
   this->Delaunay.insert(points.begin(), points.end());
 
-  std::vector<VertexHandle> vertexOf(this->Contours.Points.size());
+  // Of this level's points only: one place a point of the whole set would take memory in the square
+  // of the levels.
+  int first = std::numeric_limits<int>::max();
+  int last = -1;
+  for (const auto& point : points)
+  {
+    first = std::min(first, point.second.Source);
+    last = std::max(last, point.second.Source);
+  }
+  this->FirstPoint = first;
+  std::vector<VertexHandle> vertexOf(last < 0 ? 0 : last - first + 1);
   for (auto v : this->Delaunay.finite_vertex_handles())
   {
-    vertexOf[v->info().Source] = v;
+    vertexOf[v->info().Source - first] = v;
   }
   return vertexOf;
 }
@@ -165,8 +176,8 @@ void LevelTriangulator::Implementation::InsertContourEdges()
     const auto& points = this->Contours.Contours[c].Points;
     for (std::size_t i = 0; i < points.size(); ++i)
     {
-      const VertexHandle a = this->VertexOf[points[i]];
-      const VertexHandle b = this->VertexOf[points[(i + 1) % points.size()]];
+      const VertexHandle a = this->VertexOf[points[i] - this->FirstPoint];
+      const VertexHandle b = this->VertexOf[points[(i + 1) % points.size()] - this->FirstPoint];
       // Two points of a level with equal coordinates would leave one without a vertex.
       if (a == VertexHandle() || b == VertexHandle())
       {
@@ -267,8 +278,8 @@ void LevelTriangulator::Implementation::LabelContourEdges()
     const auto& points = this->Contours.Contours[c].Points;
     for (std::size_t i = 0; i < points.size(); ++i)
     {
-      this->LabelChain(
-        this->VertexOf[points[i]], this->VertexOf[points[(i + 1) % points.size()]], c);
+      this->LabelChain(this->VertexOf[points[i] - this->FirstPoint],
+        this->VertexOf[points[(i + 1) % points.size()] - this->FirstPoint], c);
     }
   }
 }
