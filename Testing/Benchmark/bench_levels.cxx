@@ -59,7 +59,7 @@ Figures Measure(const ContourSet& set)
   return figures;
 }
 
-void Print(const std::string& file, const testing::NamedSoup& named)
+void Print(const std::string& file, const recon::testing::NamedSoup& named)
 {
   Monitor monitor;
   const ContourSet set = BuildContourSet(named.second, {}, monitor);
@@ -79,7 +79,7 @@ int main(int argc, char** argv)
     const std::string file = std::filesystem::path(argv[i]).filename().string();
     try
     {
-      for (const testing::NamedSoup& named : testing::ReadSoups(argv[i]))
+      for (const recon::testing::NamedSoup& named : recon::testing::ReadSoups(argv[i]))
       {
         if (!named.second.Chains.empty())
         {
