@@ -68,7 +68,7 @@ paraview_plugin_build(
   INSTALL_HEADERS OFF)
 
 # What a user needs, without the tests: all that is installed.
-add_custom_target(plugin DEPENDS ContourReconstruction)
+add_custom_target(plugin DEPENDS ContourReconstruction ContourManPage)
 if (CONTOUR_WRAP_PYTHON)
   foreach (module IN LISTS contour_wrapped_modules)
     add_dependencies(plugin ${module}Python)

@@ -26,6 +26,8 @@ by_plugin="$(
   {
     ninja -C "$CONTOUR_BUILD_DIR" -t inputs plugin
     ninja -C "$CONTOUR_BUILD_DIR" -t query plugin | sed 's/^ *//'
+    ninja -C "$CONTOUR_BUILD_DIR" -t query plugin | sed 's/^ *//' | grep '^Plugin/[A-Za-z]*$' |
+      xargs -rn1 ninja -C "$CONTOUR_BUILD_DIR" -t query | sed 's/^ *//'
   } | sort -u
 )"
 grep -q '\.so$' <<<"$installed" || fail "no library is found among what is installed: $installed"

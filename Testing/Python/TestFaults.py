@@ -14,7 +14,8 @@ import contourtesting as ct
 
 sys.path.insert(0, os.path.join(ct.SOURCE, "Plugin", "commandline"))
 import contourcli as cli
-import reconstruct
+import contouroptions
+import contourworker
 
 FOLDER = ct.output("faults")
 FLAT = ["--set", "EndCaps=flat"]
@@ -51,8 +52,8 @@ def run(path, output, arguments):
     failure = ""
     with contextlib.redirect_stdout(said), contextlib.redirect_stderr(said):
         try:
-            reconstruct.run(reconstruct.parse([path, output, *arguments]))
-        except cli.CommandError as error:
+            contourworker.one(contouroptions.parse([path, output, *arguments]))
+        except (cli.CommandError, contouroptions.UsageError) as error:
             failure = str(error)
     return said.getvalue(), failure
 

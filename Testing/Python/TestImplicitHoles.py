@@ -57,7 +57,7 @@ cell = ct.data(surface).GetFieldData().GetArray("CellSize").GetTuple1(0)
 ct.check(figures["FarthestContourVertex"] < cell, f"a contour is {figures['FarthestContourVertex']} away, cells are {cell}")
 
 # A row a component: the ball in the cavity and the ball around it enclose solid, the cavity takes from it.
-table = ct.data(node, 1)
+table = ct.data(node, 2)
 volumes = sorted(table.GetColumnByName("Volume").GetTuple1(row) for row in range(3))
 for volume, expected in zip(volumes, sorted((-ball(RADII[1]), ball(RADII[2]), ball(RADII[0])))):
     ct.check(abs(volume / expected - 1) < 0.05, f"a component's volume of {volume}, not {expected}")

@@ -7,7 +7,7 @@
  * RECON_CLONES_EXACT   wide registers, no fused operations: the same bits on every processor
  * RECON_CLONES_FUSED   may fuse a product and a sum: the last bits depend on the processor, never
  *                      on the number of threads
- * RECON_CLONES_WIDEST  the same up to the widest registers
+ * RECON_CLONES_WIDEST  the same up to the widest registers; compiled with -ffp-contract=off, exact
  *
  * Other processors and compilers, and the address sanitizer, which cannot follow the choice, make
  * the plain version alone. For .cxx files only.

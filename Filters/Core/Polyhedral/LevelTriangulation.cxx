@@ -40,11 +40,6 @@ Point2 FromCGAL(const Kernel::Point_2& p)
   return { p.x(), p.y() };
 }
 
-bool IsContourEdge(const Edge& edge)
-{
-  return edge.first->is_constrained(edge.second);
-}
-
 /// The circle with the edge as diameter holds p. On the circle the angle at p is right, which
 /// condition 2 allows: the middle of a square, without which its end could not be tapered.
 bool Encroaches(const Kernel::Point_2& p, const Edge& edge, bool mayLieOnCircle)
@@ -151,20 +146,15 @@ std::vector<VertexHandle> LevelTriangulator::Implementation::InsertContourVertic
   this->GivenPoints = points.size();
   this->Delaunay.insert(points.begin(), points.end());
 
-  // Of this level's points only: one place a point of the whole set would take memory in the square
-  // of the levels.
-  int first = std::numeric_limits<int>::max();
-  int last = -1;
-  for (const auto& point : points)
-  {
-    first = std::min(first, point.second.Source);
-    last = std::max(last, point.second.Source);
-  }
-  this->FirstPoint = first;
-  std::vector<VertexHandle> vertexOf(last < 0 ? 0 : last - first + 1);
+  // A place a point of the whole set would take memory in the square of the levels.
+  const auto [first, last] = std::minmax_element(points.begin(), points.end(),
+    [](const auto& a, const auto& b) { return a.second.Source < b.second.Source; });
+  this->FirstPoint = points.empty() ? 0 : first->second.Source;
+  std::vector<VertexHandle> vertexOf(
+    points.empty() ? 0 : last->second.Source - this->FirstPoint + 1);
   for (auto v : this->Delaunay.finite_vertex_handles())
   {
-    vertexOf[v->info().Source - first] = v;
+    vertexOf[v->info().Source - this->FirstPoint] = v;
   }
   return vertexOf;
 }
@@ -293,7 +283,7 @@ void LevelTriangulator::Implementation::LabelChain(VertexHandle from, VertexHand
   const auto end = start;
   do
   {
-    if (this->Delaunay.is_infinite(start) || !IsContourEdge(*start))
+    if (this->Delaunay.is_infinite(start) || !start->first->is_constrained(start->second))
     {
       continue;
     }
@@ -310,7 +300,7 @@ void LevelTriangulator::Implementation::LabelChain(VertexHandle from, VertexHand
       VertexHandle other;
       for (;; ++next)
       {
-        if (this->Delaunay.is_infinite(next) || !IsContourEdge(*next))
+        if (this->Delaunay.is_infinite(next) || !next->first->is_constrained(next->second))
         {
           continue;
         }
@@ -599,8 +589,7 @@ Point2 LevelTriangulation::VoronoiVertex(int triangle) const
 
 Point2 Circumcentre(const Point2& a, const Point2& b, const Point2& c)
 {
-  // CGAL's construction asserts a determinant that is not zero; here a flat triangle gives
-  // infinity.
+  // CGAL's construction asserts a determinant that is not zero; a flat triangle gives infinity.
   const double bx = b[0] - a[0], by = b[1] - a[1], cx = c[0] - a[0], cy = c[1] - a[1];
   const double b2 = bx * bx + by * by, c2 = cx * cx + cy * cy;
   const double twice = 2 * (bx * cy - by * cx);

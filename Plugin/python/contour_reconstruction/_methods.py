@@ -200,7 +200,7 @@ def implicit_surface(contours: ContoursLike, *, Detail: Choice = "Full", Mode: C
                      FillLongEdges: bool = True, FollowDrawnPlanes: bool = True, ResampleSpacing: float = 0,
                      ResampleTolerance: float = 0, Kernel: Choice = "Triharmonic", SupportRadius: float = 0,
                      Solver: Choice = "Automatic", Tolerance: float = 0, CentreReduction: float = 0,
-                     Smoothing: float = 0, CellSize: float = 0, UseBounds: bool = False,
+                     Smoothing: float = 0, CellSize: float = 0, EndsBeyond: float = 0.4, UseBounds: bool = False,
                      Bounds: Sequence[float] = (0, 1, 0, 1, 0, 1), ClosedAtBounds: bool = True, CleanUp: bool = True,
                      SnapToContours: bool = False, MaximumCells: float = 4000000, HoleRule: Choice = "Automatic",
                      OpenLines: Choice = "Leave Out", PlaneTolerance: float = 0, SnapTolerance: float = 0,
@@ -249,6 +249,8 @@ def implicit_surface(contours: ContoursLike, *, Detail: Choice = "Full", Mode: C
         0 passes exactly through the contours; 1e-6 to 1e-3 iron out shaky drawing.
     CellSize : float, default: 0
         About the edge of the surface's triangles, in the unit of the data; 0 chooses it from the contours.
+    EndsBeyond : float, default: 0.4
+        Slices along an axis: how far beyond the outermost ones the solid ends at the latest, in slice distances.
     UseBounds : bool, default: False
         Follow the surface within `Bounds`: xmin, xmax, ymin, ymax, zmin, zmax.
     Bounds : sequence of 6 float

@@ -41,6 +41,7 @@ RANGES: dict[str, tuple[float, float]] = {
     "CentreReduction": (0, math.inf),
     "Smoothing": (0, math.inf),
     "CellSize": (0, math.inf),
+    "EndsBeyond": (0, math.inf),
     "Spacing": (0, math.inf),
     "MaximumCells": (1, math.inf),
     "SmallestArea": (-math.inf, math.inf),

@@ -307,6 +307,7 @@ ImplicitSurfaceOptions ImplicitSurfaceOptionsOf(const nb::dict& properties)
   ImplicitSurfaceOptions options;
   options.Constraints = ConstraintOptionsOf(properties);
   options.Function = FunctionOptionsOf(properties);
+  options.EndsBeyond = ValueOf<double>(properties, "EndsBeyond");
   PolygonizerOptions& meshing = options.Polygonizer;
   meshing.Detail = ChoiceOf<PolygonizerOptions::DetailType>(properties, "Detail");
   meshing.CellSize = ValueOf<double>(properties, "CellSize");

@@ -3,9 +3,8 @@
  * @file ExpansionLoops.h
  * @brief The inner loops of the fast sum, for the width of registers that the processor has.
  *
- * All work on blocks of ExpansionLanes side by side, each lane on its own, so no result depends on
- * what stands beside it. Other than DirectSums, they may fuse a product and a sum: the last bits
- * differ between processors of different make, never between numbers of threads.
+ * All work on blocks of ExpansionLanes side by side, each lane on its own and without fused
+ * operations, so no result depends on what stands beside it, nor on the processor.
  */
 #ifndef recon_ExpansionLoops_h
 #define recon_ExpansionLoops_h
