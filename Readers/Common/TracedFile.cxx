@@ -119,15 +119,7 @@ void TraceCollector::Add(TracedObject& object, const std::vector<Point3>& points
     ++this->NotFinite;
     return;
   }
-  LoopSoup::Chain chain;
-  chain.Closed = closed && points.size() > 1;
-  chain.Source = static_cast<int>(object.Soup.Chains.size());
-  for (const Point3& point : points)
-  {
-    chain.Points.push_back(static_cast<int>(object.Soup.Points.size()));
-    object.Soup.Points.push_back(point);
-  }
-  object.Soup.Chains.push_back(std::move(chain));
+  object.Soup.Append(points, closed && points.size() > 1);
   object.Slices.push_back(slice);
   if (!name.empty() || !object.Names.empty())
   {

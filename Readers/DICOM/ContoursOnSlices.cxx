@@ -116,16 +116,13 @@ void AppendLevel(
 {
   for (const int c : level.Contours)
   {
-    LoopSoup::Chain chain;
-    chain.Closed = true;
-    chain.Source = static_cast<int>(soup.Chains.size());
+    std::vector<Point3> loop;
     for (const int p : drawn.Contours[c].Points)
     {
       const Point3& at = drawn.Points[p];
-      chain.Points.push_back(static_cast<int>(soup.Points.size()));
-      soup.Points.push_back(at + (plane.Offset - plane.Frame.OffsetOf(at)) * plane.Frame.Normal);
+      loop.push_back(at + (plane.Offset - plane.Frame.OffsetOf(at)) * plane.Frame.Normal);
     }
-    soup.Chains.push_back(std::move(chain));
+    soup.Append(loop);
   }
 }
 

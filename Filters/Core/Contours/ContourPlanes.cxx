@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Contours/ContourPlanes.h"
 
+#include "Base/Angles.h"
 #include "Contours/LevelGrouping.h"
 #include "Contours/RingDirections.h"
 
@@ -17,7 +18,6 @@ namespace
 {
 // Points within this part of the diagonal of a plane lie in it, whatever else is known.
 constexpr double FlatShare = 1e-5;
-constexpr double Degree = 3.14159265358979323846 / 180;
 // Single precision numbers, as some file formats store coordinates, differ by this much.
 constexpr double StorageRounding = 2.4e-7;
 
@@ -151,7 +151,7 @@ private:
 
   void NoteTilt(const NearlyParallel& nearly)
   {
-    const double degrees = nearly.LargestAngle / Degree;
+    const double degrees = nearly.LargestAngle / RadiansPerDegree;
     this->Notes.AddGeneral(Counted(nearly.Tilted, "contour") + " of " +
       std::to_string(this->Rings.size()) + (nearly.Tilted == 1 ? " is" : " are") +
       " not quite parallel to the others or not quite flat (the largest angle is " + Text(degrees) +
@@ -371,7 +371,7 @@ private:
     {
       const double off = 0.5 * RangeAlong(this->Soup, this->Rings[ring], normal).Size();
       this->Note(ring,
-        "is tilted by " + Text(this->Directions.AngleTo(normal, ring) / Degree) +
+        "is tilted by " + Text(this->Directions.AngleTo(normal, ring) / RadiansPerDegree) +
           " degrees, so that its points are up to " + Text(off) +
           " off a level, more than a fifth of the distance to the next one; left out (a larger "
           "PlaneTolerance keeps it, and Implicit Surface takes it as it is)");

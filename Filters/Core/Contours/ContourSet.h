@@ -42,6 +42,20 @@ struct LoopSoup
   std::vector<Chain> Chains;
   std::vector<KnownLevel> Levels;
   bool Millimetres = false; ///< the unit is known to be the millimetre, as in DICOM
+
+  /// A chain of points of its own, with its number as Source.
+  void Append(const std::vector<Point3>& points, bool closed = true)
+  {
+    Chain chain;
+    chain.Closed = closed;
+    chain.Source = static_cast<int>(this->Chains.size());
+    for (const Point3& p : points)
+    {
+      chain.Points.push_back(static_cast<int>(this->Points.size()));
+      this->Points.push_back(p);
+    }
+    this->Chains.push_back(std::move(chain));
+  }
 };
 
 /**

@@ -6,6 +6,7 @@
 #ifndef recon_RingDirections_h
 #define recon_RingDirections_h
 
+#include "Base/Angles.h"
 #include "Base/Monitor.h"
 #include "Contours/LevelGrouping.h"
 #include "Contours/RingPlane.h"
@@ -35,7 +36,7 @@ class RingDirections
 {
 public:
   /// A ring is left aside that is turned by more than this, unless it is too narrow to tell.
-  static constexpr double MostTilt = 3 * 3.14159265358979323846 / 180;
+  static constexpr double MostTilt = 3 * Pi / 180;
 
   /// @param gap distance from a plane that is allowed whatever the rings are like
   RingDirections(

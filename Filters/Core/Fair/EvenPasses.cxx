@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Fair/EvenPasses.h"
 
+#include "Base/Angles.h"
 #include "Base/Parallel.h"
 #include "Mesh/TrianglePair.h"
 
@@ -12,7 +13,6 @@ namespace recon
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
 /// Edges longer than this part of their size are split, shorter ones than the other collapsed, and
 /// none longer than the third is made by it.
 constexpr double LongEdge = 4.0 / 3;

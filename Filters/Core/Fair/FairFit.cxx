@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Fair/FairFit.h"
 
+#include "Base/Angles.h"
 #include "Base/Parallel.h"
 #include "Fair/EvenPasses.h"
 #include "Fair/UncrossedMove.h"
@@ -13,7 +14,6 @@ namespace recon
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
 /// A sample is looked for on the mesh within so many edge lengths.
 constexpr double Reach = 2;
 /// Pulls that miss get so many times the weight, so many times.

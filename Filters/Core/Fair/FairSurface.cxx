@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Fair/FairSurface.h"
 
+#include "Base/Angles.h"
 #include "Base/SubMonitor.h"
 #include "Base/Text.h"
 #include "Fair/EvenMesh.h"
@@ -18,7 +19,6 @@ namespace recon
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
 /// Of the slices' distance: edges, and how far the surface may be from contours that were drawn.
 constexpr double EdgePart = 0.3;
 constexpr double TolerancePart = 0.05;

@@ -85,19 +85,10 @@ void AppendSection(
       loop.push_back(PointOn(edge, mesh, heights));
     }
     loop.erase(std::unique(loop.begin(), loop.end()), loop.end());
-    if (!closes || loop.size() < 3)
+    if (closes && loop.size() >= 3)
     {
-      continue;
+      soup.Append(loop);
     }
-    LoopSoup::Chain chain;
-    chain.Closed = true;
-    chain.Source = static_cast<int>(soup.Chains.size());
-    for (const Point3& p : loop)
-    {
-      chain.Points.push_back(static_cast<int>(soup.Points.size()));
-      soup.Points.push_back(p);
-    }
-    soup.Chains.push_back(std::move(chain));
   }
 }
 }

@@ -225,14 +225,7 @@ nb::dict ReadSlicePlanes(const std::string& fileName, const std::string& frame, 
   std::vector<std::string> images;
   for (const ReferenceSlice& slice : slices.Slices)
   {
-    LoopSoup::Chain chain;
-    chain.Closed = true;
-    for (const Point3& corner : slice.Outline)
-    {
-      chain.Points.push_back(static_cast<int>(soup.Points.size()));
-      soup.Points.push_back(corner);
-    }
-    soup.Chains.push_back(std::move(chain));
+    soup.Append({ slice.Outline.begin(), slice.Outline.end() });
     images.push_back(slice.InstanceUID);
   }
   std::vector<int> order;

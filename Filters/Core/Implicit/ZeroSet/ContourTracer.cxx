@@ -345,15 +345,7 @@ void AppendLoops(const Loops& loops, LoopSoup& soup)
 {
   for (const std::vector<Point3>& loop : loops)
   {
-    LoopSoup::Chain chain;
-    chain.Closed = true;
-    chain.Source = static_cast<int>(soup.Chains.size());
-    for (const Point3& p : loop)
-    {
-      chain.Points.push_back(static_cast<int>(soup.Points.size()));
-      soup.Points.push_back(p);
-    }
-    soup.Chains.push_back(std::move(chain));
+    soup.Append(loop);
   }
 }
 }
