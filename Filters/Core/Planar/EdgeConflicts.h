@@ -22,6 +22,15 @@ struct PlanarEdge
   int Weight = 1; ///< times walked from A to B, less those from B to A
 };
 
+/// The edges of a closed walk.
+inline void AddLoopEdges(const std::vector<int>& loop, int tag, std::vector<PlanarEdge>& edges)
+{
+  for (std::size_t i = 0; i < loop.size(); ++i)
+  {
+    edges.push_back({ loop[i], loop[(i + 1) % loop.size()], tag });
+  }
+}
+
 struct EdgeConflicts
 {
   /// The inner points of two edges cross.

@@ -48,11 +48,7 @@ private:
     std::vector<PlanarEdge> edges;
     for (std::size_t l = 0; l < loops.size(); ++l)
     {
-      const std::vector<int>& p = loops[l];
-      for (std::size_t i = 0; i < p.size(); ++i)
-      {
-        edges.push_back({ p[i], p[(i + 1) % p.size()], static_cast<int>(l) });
-      }
+      AddLoopEdges(loops[l], static_cast<int>(l), edges);
     }
     return edges;
   }

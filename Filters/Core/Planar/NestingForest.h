@@ -24,7 +24,7 @@ struct NestingForest
 double SignedAreaOf(const std::vector<Point2>& points, const std::vector<int>& loop);
 
 /**
- * One sweep over all loops of a level, from left to right, with exact predicates: n log n.
+ * One sweep over all loops of a level (EdgeSweep.h).
  *
  * A loop that starts at a point is inside the loop whose edge is next below it, or else shares that
  * loop's parent. Loops may touch in points, also in their leftmost ones.

@@ -15,10 +15,8 @@ namespace recon
 /**
  * For every edge: whether the winding number is zero on exactly one side of it.
  *
- * One flood over a triangulation of the edges, by exact predicates: n log n.
- *
- * @pre no two edges are equal, cross or overlap, no point lies inside an edge, and at every point
- * as much weight comes in as goes out
+ * @pre that of SweepEdges, no point lies inside an edge, and at every point as much weight comes in as goes
+ * out
  */
 std::vector<bool> FindWindingBorder(
   const std::vector<Point2>& points, const std::vector<PlanarEdge>& edges);
