@@ -3,25 +3,32 @@
  * @file bench_planes.cxx
  * @brief Does the implicit surface have, on every drawn plane, the contours that were drawn there?
  *
- *   bench_planes [--plain] [--each] [--points N] [--depth CELLS] [--area PART] [--waist PART] FILE ...
+ *   bench_planes [--each] [--plain] [--most N] [--least N] [--seconds N] [--ends PART]
+ *     [--depth CELLS] [--area PART] [--waist PART] FILE ...
  *
- * A line an ROI (or set) of parallel contours, tab-separated: file, ROI, planes, contours drawn,
- * traced, planes with another number of contours, the largest symmetric difference of a plane in
- * per cent of its drawn area (where, and that area), volume of the implicit surface, of the polyhedral one with HalfSlice
- * ends, processor seconds, constraints, the lines of Report that the drawn planes made. --plain: as if only
- * contours told anything. --each: a line a plane that differs, on standard error. --points: ROIs of more points are left out. --depth, --area, --waist:
- * SectionTolerances (Constraints.h), to see what their values are worth.
+ * A line an ROI (or set) of parallel contours, tab-separated, under a line of the columns' names.
+ * Volumes are those of the implicit surface (cut at --ends, and at half a slice), of the polyhedral one with HalfSlice
+ * ends, and of the drawn areas times their slices' thickness; `within` is the part of each between
+ * the first and the last plane. `plain` are the seconds of a fit that does not follow the planes.
+ *
+ * --each: a line a plane that differs, on standard error. --plain: as if only contours told
+ * anything. --least, --most: ROIs of fewer, and of more, points are left out. --seconds: an ROI
+ * that takes more processor seconds becomes a sentence. --ends: EndsBeyond. --depth, --area,
+ * --waist: SectionTolerances (Constraints.h), to see what their values are worth.
  *
  * Contours of less than 3 square units do not count.
  */
+#include "Base/Median.h"
 #include "Contours/ContourSetBuilder.h"
 #include "Core/SetsOfData.h"
 #include "Implicit/ImplicitSurface.h"
 #include "Implicit/ZeroSet/ContourTracer.h"
-#include "Mesh/MassProperties.h"
 #include "Polyhedral/PolyhedralSurface.h"
 
+#include <algorithm>
+#include <array>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <ctime>
 
@@ -73,6 +80,8 @@ struct PlaneFigures
   double Worst = 0; ///< per cent
   double WorstAt = 0;
   double WorstArea = 0;
+  double Difference = 0; ///< of all planes
+  double Area = 0;
   std::string Each; ///< a line a plane that differs
 };
 
@@ -141,6 +150,8 @@ void CompareLevel(
     difference += LengthOf(ends);
   }
   const double square = box.Extent(1) / Scanlines;
+  figures.Difference += difference * square;
+  figures.Area += area * square;
   if (count != found || (area * square > LeastArea && 100 * difference > Promised * area))
   {
     char line[160];
@@ -160,27 +171,179 @@ void CompareLevel(
   }
 }
 
-double VolumeOf(const TriangleMesh& mesh)
+/// The volume of a closed mesh below a height: of min(h, height) along the normal, as the
+/// divergence theorem has it.
+double VolumeBelow(const TriangleMesh& mesh, const Vector3& normal, double height)
 {
-  const std::vector<int> one(mesh.Triangles.size(), 0);
-  return ComputeSignedVolumes(mesh, one, 1).front();
+  double volume = 0;
+  for (const std::array<int, 3>& t : mesh.Triangles)
+  {
+    const Point3& a = mesh.Points[t[0]];
+    const Point3& b = mesh.Points[t[1]];
+    const Point3& c = mesh.Points[t[2]];
+    const double area = 0.5 * Dot(Cross(b - a, c - a), normal);
+    std::array<double, 3> h{ Dot(a, normal) - height, Dot(b, normal) - height,
+      Dot(c, normal) - height };
+    std::sort(h.begin(), h.end());
+    const auto [low, middle, high] = h;
+    double mean = (low + middle + high) / 3;
+    // The mean of max(h, 0), which is taken off again.
+    double above = 0;
+    if (low >= 0)
+    {
+      above = mean;
+    }
+    else if (middle >= 0 && high > 0)
+    {
+      above = mean - low / 3 * low / (low - middle) * low / (low - high);
+    }
+    else if (high > 0)
+    {
+      above = high / 3 * high / (high - middle) * high / (high - low);
+    }
+    volume += area * (mean - above);
+  }
+  return volume;
 }
 
-void Measure(const std::string& file, const std::string& name, const ContourSet& drawn, bool plain,
-  bool each, double ends, const ContourSet& parallel, const SectionTolerances& tolerances)
+constexpr double HalfSlice = 0.5;
+
+struct Volumes
 {
-  Monitor monitor;
+  double All = 0;
+  double Within = 0; ///< the first and the last plane
+};
+
+/// @param ends beyond the outermost planes, in gaps
+Volumes VolumesOf(const TriangleMesh& mesh, const ContourSet& drawn, double ends)
+{
+  const Vector3& normal = drawn.Levels.front().Frame.Normal;
+  std::vector<double> heights;
+  for (const Level& level : drawn.Levels)
+  {
+    heights.push_back(Dot(level.Frame.Normal, normal) * level.Offset);
+  }
+  std::sort(heights.begin(), heights.end());
+  std::vector<double> gaps;
+  for (std::size_t l = 1; l < heights.size(); ++l)
+  {
+    gaps.push_back(heights[l] - heights[l - 1]);
+  }
+  const double beyond = ends * Median(gaps);
+  const auto between = [&](double low, double high)
+  { return VolumeBelow(mesh, normal, high) - VolumeBelow(mesh, normal, low); };
+  return { between(heights.front() - beyond, heights.back() + beyond),
+    between(heights.front(), heights.back()) };
+}
+
+/// Drawn areas times what is nearer to their plane than to others; beyond the outermost half a
+/// slice of their neighbour's distance.
+Volumes VolumesOfSlices(const ContourSet& drawn)
+{
+  const Vector3& normal = drawn.Levels.front().Frame.Normal;
+  std::vector<std::pair<double, double>> slices; ///< height and area
+  for (const Level& level : drawn.Levels)
+  {
+    double area = 0;
+    for (const int c : level.Contours)
+    {
+      area += drawn.Contours[c].SignedArea;
+    }
+    slices.emplace_back(Dot(level.Frame.Normal, normal) * level.Offset, area);
+  }
+  std::sort(slices.begin(), slices.end());
+  Volumes volumes;
+  for (std::size_t s = 0; s + 1 < slices.size(); ++s)
+  {
+    const double half = 0.5 * (slices[s + 1].first - slices[s].first);
+    volumes.Within += half * (slices[s].second + slices[s + 1].second);
+    volumes.All += s == 0 ? half * slices[s].second : 0;
+    volumes.All += s + 2 == slices.size() ? half * slices[s + 1].second : 0;
+  }
+  volumes.All += volumes.Within;
+  return volumes;
+}
+
+double Seconds()
+{
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+/// Stops what takes too long.
+class LimitMonitor final : public Monitor
+{
+public:
+  explicit LimitMonitor(double seconds) : End(Seconds() + seconds) {}
+  bool AbortRequested() override { return Seconds() > this->End; }
+
+private:
+  double End;
+};
+
+struct Arguments
+{
+  bool Plain = false;
+  bool Each = false;
+  double Least = 0;
+  double Most = 1e9;
+  double Limit = 1e9;
+  double Ends = DefaultEndsBeyond;
+  SectionTolerances Tolerances;
+};
+
+Volumes Polyhedral(const LoopSoup& soup, const ContourSet& drawn, Monitor& monitor)
+{
+  PolyhedralOptions flat;
+  flat.EndCaps = PolyhedralOptions::HalfSlice;
+  flat.Mapping = PolyhedralOptions::Overlap;
+  flat.IsolatedContours = PolyhedralOptions::Extrude;
+  const ContourSet parallel = BuildContourSet(soup, ContourSetOptions(), monitor);
+  return VolumesOf(BuildPolyhedralSurface(parallel, flat, monitor).Mesh, drawn, 2 * HalfSlice);
+}
+
+/// What Report says of the drawn planes.
+std::string WordsOf(const ImplicitSurface& surface)
+{
+  std::string words;
+  for (const std::string& line : surface.Report)
+  {
+    if (line.find("drawn") != std::string::npos || line.find("were put on") != std::string::npos)
+    {
+      words += line + " ";
+    }
+  }
+  return words;
+}
+
+double SecondsOfPlainFit(
+  const ContourSet& drawn, const ImplicitSurfaceOptions& options, Monitor& monitor)
+{
+  ConstraintOptions plain = options.Constraints;
+  plain.FollowDrawnPlanes = false;
+  const double start = Seconds();
+  FitContours(drawn, plain, options.Function, monitor);
+  return Seconds() - start;
+}
+
+void Measure(const std::string& title, const LoopSoup& soup, const ContourSet& drawn,
+  const Arguments& arguments)
+{
+  LimitMonitor monitor(arguments.Limit);
   ImplicitSurfaceOptions options;
-  options.Constraints.FollowDrawnPlanes = !plain;
-  options.Constraints.FillLongEdges = !plain;
-  options.Constraints.Sections = tolerances;
+  options.Constraints.FollowDrawnPlanes = !arguments.Plain;
+  options.Constraints.FillLongEdges = !arguments.Plain;
+  options.Constraints.Sections = arguments.Tolerances;
   options.Polygonizer.CleanUp = false;
-  options.EndsBeyond = ends;
-  const std::clock_t start = std::clock();
+  options.Polygonizer.Threads = 1;
+  options.Function.Threads = 1;
+  // What lies beyond other ends is cut off afterwards.
+  options.EndsBeyond = std::max(HalfSlice, arguments.Ends);
+  const double start = Seconds();
   const ImplicitSurface surface = BuildImplicitSurface(drawn, options, monitor);
-  const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  const double seconds = Seconds() - start;
   TracerOptions tracing;
-  tracing.Box = ChooseBoundsOf(drawn, ends);
+  tracing.Threads = 1;
+  tracing.Box = ChooseBoundsOf(drawn, options.EndsBeyond);
   PlaneFigures figures;
   const ContourSet traced = TraceContours(
     surface.Fit.Function, SeedsOf(surface.Fit.Contours), PlanesOf(drawn), tracing, monitor);
@@ -188,90 +351,89 @@ void Measure(const std::string& file, const std::string& name, const ContourSet&
   {
     CompareLevel(drawn, l, traced, figures);
   }
-  double polyhedral = 0;
-  try
-  {
-    PolyhedralOptions flat;
-    flat.EndCaps = PolyhedralOptions::HalfSlice;
-    flat.Mapping = PolyhedralOptions::Overlap;
-    flat.IsolatedContours = PolyhedralOptions::Extrude;
-    polyhedral = VolumeOf(BuildPolyhedralSurface(parallel, flat, monitor).Mesh);
-  }
-  catch (const Error&)
-  {
-  }
-  std::printf("%s\t%s\t%zu\t%d\t%d\t%d\t%.2f (%.6g, %.4g)\t%.6g\t%.6g\t%.2f\t%zu\t", file.c_str(),
-    name.c_str(), drawn.Levels.size(), figures.Drawn, figures.Traced, figures.OtherCount,
-    figures.Worst, figures.WorstAt, figures.WorstArea, VolumeOf(surface.Mesh.Mesh), polyhedral,
-    seconds, surface.Fit.Constraints.Points.size());
-  for (const std::string& line : surface.Report)
-  {
-    if (line.find("drawn") != std::string::npos || line.find("were put on") != std::string::npos)
-    {
-      std::printf("%s ", line.c_str());
-    }
-  }
-  std::printf("\n");
+  const double plain = SecondsOfPlainFit(drawn, options, monitor);
+  const Volumes implicit = VolumesOf(surface.Mesh.Mesh, drawn, arguments.Ends);
+  const Volumes half = VolumesOf(surface.Mesh.Mesh, drawn, HalfSlice);
+  const Volumes polyhedral = Polyhedral(soup, drawn, monitor);
+  const Volumes slices = VolumesOfSlices(drawn);
+  std::printf("%s\t%zu\t%zu\t%d\t%d\t%d\t%.2f\t%.6g\t%.4g\t%.2f\t%.6g\t%.6g\t%.6g\t%.6g\t%.6g\t"
+              "%.6g\t%.6g\t%.2f\t%.2f\t%zu\t%s\n",
+    title.c_str(), drawn.Points.size(), drawn.Levels.size(), figures.Drawn, figures.Traced,
+    figures.OtherCount, figures.Worst, figures.WorstAt, figures.WorstArea,
+    figures.Area > 0 ? 100 * figures.Difference / figures.Area : 0, implicit.All, half.All,
+    implicit.Within, polyhedral.All, polyhedral.Within, slices.All, slices.Within, seconds, plain,
+    surface.Fit.Constraints.Points.size(), WordsOf(surface).c_str());
   std::fflush(stdout);
-  if (each)
+  if (arguments.Each)
   {
     std::fputs(figures.Each.c_str(), stderr);
+  }
+}
+
+constexpr const char* Columns =
+  "file\tROI\tpoints\tplanes\tdrawn\ttraced\tother\tworst\tat\tarea\tmean\tvolume\thalf "
+  "slices\twithin\tpolyhedr"
+  "al\t"
+  "polyhedral within\tslices\tslices within\tseconds\tplain\tconstraints\treport";
+
+void MeasureFile(const std::string& path, const Arguments& arguments)
+{
+  for (const auto& [name, soup] : recon::testing::ReadSoups(path))
+  {
+    const std::string title = std::filesystem::path(path).filename().string() + "\t" + name;
+    try
+    {
+      LimitMonitor monitor(arguments.Limit);
+      ContourSetOptions planes;
+      planes.Parallel = false;
+      const ContourSet drawn = BuildContourSet(soup, planes, monitor);
+      const auto points = static_cast<double>(drawn.Points.size());
+      if (drawn.Contours.empty() || points > arguments.Most || points < arguments.Least)
+      {
+        continue;
+      }
+      Measure(title, soup, drawn, arguments);
+    }
+    catch (const Aborted&)
+    {
+      std::printf("%s\tnot within %g processor seconds\n", title.c_str(), arguments.Limit);
+    }
+    catch (const std::exception& error)
+    {
+      std::printf("%s\t%s\n", title.c_str(), error.what());
+    }
+    std::fflush(stdout);
   }
 }
 }
 
 int main(int argc, char** argv)
 {
-  bool plain = false;
-  bool each = false;
-  std::size_t most = static_cast<std::size_t>(-1);
-  SectionTolerances tolerances;
-  double ends = DefaultEndsBeyond;
-  const std::pair<const char*, double*> settable[] = { { "--depth", &tolerances.Depth },
-    { "--area", &tolerances.Area }, { "--waist", &tolerances.WaistArea }, { "--ends", &ends } };
+  Arguments arguments;
+  const std::pair<const char*, double*> numbers[] = { { "--depth", &arguments.Tolerances.Depth },
+    { "--area", &arguments.Tolerances.Area }, { "--waist", &arguments.Tolerances.WaistArea },
+    { "--ends", &arguments.Ends }, { "--least", &arguments.Least }, { "--most", &arguments.Most },
+    { "--seconds", &arguments.Limit } };
+  const std::pair<const char*, bool*> switches[] = { { "--plain", &arguments.Plain },
+    { "--each", &arguments.Each } };
+  std::puts(Columns);
   for (int i = 1; i < argc; ++i)
   {
-    const auto* set = std::find_if(std::begin(settable), std::end(settable),
-      [&](const auto& option) { return std::strcmp(argv[i], option.first) == 0; });
-    if (set != std::end(settable) && i + 1 < argc)
+    const auto isNamed = [&](const auto& option)
+    { return std::strcmp(argv[i], option.first) == 0; };
+    const auto* number = std::find_if(std::begin(numbers), std::end(numbers), isNamed);
+    const auto* toggle = std::find_if(std::begin(switches), std::end(switches), isNamed);
+    if (number != std::end(numbers) && i + 1 < argc)
     {
-      *set->second = std::strtod(argv[++i], nullptr);
-      continue;
+      *number->second = std::strtod(argv[++i], nullptr);
     }
-    if (std::strcmp(argv[i], "--plain") == 0)
+    else if (toggle != std::end(switches))
     {
-      plain = true;
-      continue;
+      *toggle->second = true;
     }
-    if (std::strcmp(argv[i], "--each") == 0)
+    else
     {
-      each = true;
-      continue;
-    }
-    if (std::strcmp(argv[i], "--points") == 0 && i + 1 < argc)
-    {
-      most = std::strtoul(argv[++i], nullptr, 10);
-      continue;
-    }
-    for (const auto& [name, soup] : recon::testing::ReadSoups(argv[i]))
-    {
-      try
-      {
-        Monitor monitor;
-        ContourSetOptions planes;
-        planes.Parallel = false;
-        const ContourSet drawn = BuildContourSet(soup, planes, monitor);
-        if (drawn.Contours.empty() || drawn.Points.size() > most)
-        {
-          continue;
-        }
-        Measure(std::filesystem::path(argv[i]).filename().string(), name, drawn, plain, each, ends,
-          BuildContourSet(soup, ContourSetOptions(), monitor), tolerances);
-      }
-      catch (const std::exception& error)
-      {
-        std::printf("%s\t%s\t%s\n", argv[i], name.c_str(), error.what());
-      }
+      MeasureFile(argv[i], arguments);
     }
   }
   return 0;

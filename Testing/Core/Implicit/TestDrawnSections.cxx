@@ -177,6 +177,28 @@ TEST(DrawnSections, HolesThatNobodyDrewAndLostContoursCountHoweverSmall)
   EXPECT_EQ(lost.Sections, std::vector<int>{ 8 });
 }
 
+TEST(DrawnSections, ContoursOfFewCornersAreFollowedThoughTheyNeedManyPlaces)
+{
+  // A marker drawn with eight pixels' edges, on slices farther apart than it is wide.
+  handmade::Maker maker;
+  for (int i = 0; i < 4; ++i)
+  {
+    const double z = 40.0 * i;
+    maker.AddContour(maker.AddLevel({ 0, 0, 1 }, z),
+      { { -6, -13, z }, { 6, -13, z }, { 13, -6, z }, { 13, 6, z }, { 6, 13, z }, { -6, 13, z },
+        { -13, 6, z }, { -13, -6, z } });
+  }
+  const ContourSet marker = maker.Finish();
+  const ContourFit fit = Fit(marker);
+  EXPECT_FALSE(Says(fit, "still differs"));
+  for (int i = 0; i < 4; ++i)
+  {
+    const std::vector<double> areas = AreasAt(marker, fit, 40.0 * i);
+    ASSERT_EQ(areas.size(), 1u);
+    EXPECT_NEAR(areas.front(), 578, 0.01 * 578) << i;
+  }
+}
+
 TEST(DrawnSections, TheResultDoesNotDependOnThreads)
 {
   const ContourSet legs = Legs();

@@ -7,6 +7,8 @@
 #include "Implicit/Constraints/NearConstraints.h"
 #include "Implicit/ZeroSet/Polygonizer.h"
 
+#include <algorithm>
+
 namespace recon
 {
 namespace
@@ -20,7 +22,7 @@ public:
       Function(functionOptions),
       Sections(drawn, constraintOptions.EmptyPlanes, ChooseCellSize(PlacesOf(drawn), 0),
         constraintOptions.Sections),
-      MostPlaces(drawn.Points.size() + LeastPlaces)
+      MostPlaces(drawn.Points.size() + PlacesPerLevel * drawn.Levels.size())
   {
   }
 
@@ -30,12 +32,10 @@ public:
     std::size_t added = 0;
     DrawnSections::Disagreements wrong = this->Compare(0, monitor);
     const std::size_t before = wrong.Sections.size();
-    for (int round = 0; round < MostRounds && !wrong.Places.empty(); ++round)
+    for (int round = 0; round < MostRounds && !wrong.Places.empty() && added < this->MostPlaces;
+         ++round)
     {
-      if (added + wrong.Places.size() > this->MostPlaces)
-      {
-        break;
-      }
+      KeepDeepest(wrong.Places, this->MostPlaces - added);
       for (const ToldPlace& place : wrong.Places)
       {
         asked.Points.push_back(place.Place);
@@ -56,7 +56,8 @@ public:
 
 private:
   static constexpr int MostRounds = 6;
-  static constexpr std::size_t LeastPlaces = 500;
+  /// Beside one a contour point: what a contour of a few corners needs for straight edges.
+  static constexpr std::size_t PlacesPerLevel = 300;
   static constexpr std::size_t MostNamed = 3;
 
   static std::vector<Point3> PlacesOf(const ContourSet& contours)
@@ -70,6 +71,16 @@ private:
       }
     }
     return places;
+  }
+
+  static void KeepDeepest(std::vector<ToldPlace>& places, std::size_t count)
+  {
+    if (places.size() > count)
+    {
+      std::stable_sort(places.begin(), places.end(),
+        [](const ToldPlace& a, const ToldPlace& b) { return a.Room > b.Room; });
+      places.resize(count);
+    }
   }
 
   DrawnSections::Disagreements Compare(int look, Monitor& monitor) const
