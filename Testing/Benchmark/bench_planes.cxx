@@ -7,9 +7,10 @@
  *     [--depth CELLS] [--area PART] [--waist PART] FILE ...
  *
  * A line an ROI (or set) of parallel contours, tab-separated, under a line of the columns' names.
- * Volumes are those of the implicit surface (cut at --ends, and at half a slice), of the polyhedral one with HalfSlice
- * ends, and of the drawn areas times their slices' thickness; `within` is the part of each between
- * the first and the last plane. `plain` are the seconds of a fit that does not follow the planes.
+ * Volumes are those of the implicit surface (cut at --ends, and at half a slice) and of the
+ * polyhedral one with HalfSlice ends; `within` is the part of each between the first and the last
+ * plane; `straight` and `smooth` are what the drawn areas have there, changing evenly and smoothly
+ * from plane to plane. `following` are those of all the seconds that following the planes took.
  *
  * --each: a line a plane that differs, on standard error. --plain: as if only contours told
  * anything. --least, --most: ROIs of fewer, and of more, points are left out. --seconds: an ROI
@@ -236,31 +237,66 @@ Volumes VolumesOf(const TriangleMesh& mesh, const ContourSet& drawn, double ends
     between(heights.front(), heights.back()) };
 }
 
-/// Drawn areas times what is nearer to their plane than to others; beyond the outermost half a
-/// slice of their neighbour's distance.
-Volumes VolumesOfSlices(const ContourSet& drawn)
+struct Slice
+{
+  double Height = 0;
+  double Area = 0;
+};
+
+/// By height.
+std::vector<Slice> SlicesOf(const ContourSet& drawn)
 {
   const Vector3& normal = drawn.Levels.front().Frame.Normal;
-  std::vector<std::pair<double, double>> slices; ///< height and area
+  std::vector<Slice> slices;
   for (const Level& level : drawn.Levels)
   {
-    double area = 0;
+    Slice slice{ Dot(level.Frame.Normal, normal) * level.Offset, 0 };
     for (const int c : level.Contours)
     {
-      area += drawn.Contours[c].SignedArea;
+      slice.Area += drawn.Contours[c].SignedArea;
     }
-    slices.emplace_back(Dot(level.Frame.Normal, normal) * level.Offset, area);
+    slices.push_back(slice);
   }
-  std::sort(slices.begin(), slices.end());
-  Volumes volumes;
+  std::sort(slices.begin(), slices.end(),
+    [](const Slice& a, const Slice& b) { return a.Height < b.Height; });
+  return slices;
+}
+
+/// How the area changes at a slice: of the parabola through three slices, that one among them.
+double SlopeAt(const std::vector<Slice>& slices, std::size_t s)
+{
+  const std::size_t first = std::min(s > 0 ? s - 1 : 0, slices.size() - 3);
+  const Slice& a = slices[first];
+  const Slice& b = slices[first + 1];
+  const Slice& c = slices[first + 2];
+  const double ab = (b.Area - a.Area) / (b.Height - a.Height);
+  const double bc = (c.Area - b.Area) / (c.Height - b.Height);
+  const double second = (bc - ab) / (c.Height - a.Height);
+  return ab + second * (2 * slices[s].Height - a.Height - b.Height);
+}
+
+/// The drawn areas' integral between the first plane and the last.
+struct SectionVolumes
+{
+  double Straight = 0; ///< as if areas changed evenly between two planes
+  double Smooth = 0;   ///< of the cubics with the slopes of parabolas through three planes
+};
+
+SectionVolumes VolumesOfSections(const ContourSet& drawn)
+{
+  const std::vector<Slice> slices = SlicesOf(drawn);
+  SectionVolumes volumes;
   for (std::size_t s = 0; s + 1 < slices.size(); ++s)
   {
-    const double half = 0.5 * (slices[s + 1].first - slices[s].first);
-    volumes.Within += half * (slices[s].second + slices[s + 1].second);
-    volumes.All += s == 0 ? half * slices[s].second : 0;
-    volumes.All += s + 2 == slices.size() ? half * slices[s + 1].second : 0;
+    const double gap = slices[s + 1].Height - slices[s].Height;
+    const double straight = 0.5 * gap * (slices[s].Area + slices[s + 1].Area);
+    volumes.Straight += straight;
+    volumes.Smooth += straight;
+    if (slices.size() > 2)
+    {
+      volumes.Smooth += gap * gap / 12 * (SlopeAt(slices, s) - SlopeAt(slices, s + 1));
+    }
   }
-  volumes.All += volumes.Within;
   return volumes;
 }
 
@@ -269,15 +305,40 @@ double Seconds()
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-/// Stops what takes too long.
+/// Stops what takes too long, and sees when the drawn planes are followed.
 class LimitMonitor final : public Monitor
 {
 public:
   explicit LimitMonitor(double seconds) : End(Seconds() + seconds) {}
   bool AbortRequested() override { return Seconds() > this->End; }
+  double SecondsOfFollowing() const { return std::max(0.0, this->To - this->From); }
+
+protected:
+  void OnProgress(double fraction, const char*) override
+  {
+    if (this->To > 0)
+    {
+      return; // of another call
+    }
+    if (fraction < FollowingFrom)
+    {
+      this->From = Seconds();
+    }
+    else if (fraction >= FollowingTo)
+    {
+      this->To = Seconds();
+    }
+  }
 
 private:
+  /// The shares that ImplicitSurface.cxx gives to the fit (.6) and ContourFit.cxx to what comes
+  /// before following (.7), with room for rounding.
+  static constexpr double FollowingFrom = 0.6 * 0.7 - 1e-9;
+  static constexpr double FollowingTo = 0.6 - 1e-9;
+
   double End;
+  double From = 0;
+  double To = 0;
 };
 
 struct Arguments
@@ -315,16 +376,6 @@ std::string WordsOf(const ImplicitSurface& surface)
   return words;
 }
 
-double SecondsOfPlainFit(
-  const ContourSet& drawn, const ImplicitSurfaceOptions& options, Monitor& monitor)
-{
-  ConstraintOptions plain = options.Constraints;
-  plain.FollowDrawnPlanes = false;
-  const double start = Seconds();
-  FitContours(drawn, plain, options.Function, monitor);
-  return Seconds() - start;
-}
-
 void Measure(const std::string& title, const LoopSoup& soup, const ContourSet& drawn,
   const Arguments& arguments)
 {
@@ -351,18 +402,18 @@ void Measure(const std::string& title, const LoopSoup& soup, const ContourSet& d
   {
     CompareLevel(drawn, l, traced, figures);
   }
-  const double plain = SecondsOfPlainFit(drawn, options, monitor);
+  const double following = monitor.SecondsOfFollowing();
   const Volumes implicit = VolumesOf(surface.Mesh.Mesh, drawn, arguments.Ends);
   const Volumes half = VolumesOf(surface.Mesh.Mesh, drawn, HalfSlice);
   const Volumes polyhedral = Polyhedral(soup, drawn, monitor);
-  const Volumes slices = VolumesOfSlices(drawn);
+  const SectionVolumes sections = VolumesOfSections(drawn);
   std::printf("%s\t%zu\t%zu\t%d\t%d\t%d\t%.2f\t%.6g\t%.4g\t%.2f\t%.6g\t%.6g\t%.6g\t%.6g\t%.6g\t"
               "%.6g\t%.6g\t%.2f\t%.2f\t%zu\t%s\n",
     title.c_str(), drawn.Points.size(), drawn.Levels.size(), figures.Drawn, figures.Traced,
     figures.OtherCount, figures.Worst, figures.WorstAt, figures.WorstArea,
     figures.Area > 0 ? 100 * figures.Difference / figures.Area : 0, implicit.All, half.All,
-    implicit.Within, polyhedral.All, polyhedral.Within, slices.All, slices.Within, seconds, plain,
-    surface.Fit.Constraints.Points.size(), WordsOf(surface).c_str());
+    implicit.Within, polyhedral.All, polyhedral.Within, sections.Straight, sections.Smooth, seconds,
+    following, surface.Fit.Constraints.Points.size(), WordsOf(surface).c_str());
   std::fflush(stdout);
   if (arguments.Each)
   {
@@ -374,7 +425,7 @@ constexpr const char* Columns =
   "file\tROI\tpoints\tplanes\tdrawn\ttraced\tother\tworst\tat\tarea\tmean\tvolume\thalf "
   "slices\twithin\tpolyhedr"
   "al\t"
-  "polyhedral within\tslices\tslices within\tseconds\tplain\tconstraints\treport";
+  "polyhedral within\tstraight\tsmooth\tseconds\tfollowing\tconstraints\treport";
 
 void MeasureFile(const std::string& path, const Arguments& arguments)
 {
