@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "CurveNetwork/CSLParser.h"
 
-#include "Common/TextScanner.h"
+#include "CurveNetwork/PlaneByPlane.h"
 #include "CurveNetwork/PlaneCheck.h"
 
-#include <map>
 #include <string_view>
 
 namespace recon
@@ -24,33 +23,21 @@ struct Ring
   std::vector<int> Points;
 };
 
-class CSLParser
+class CSLParser : private PlaneByPlane
 {
 public:
-  CSLParser(const std::string& fileName, Monitor& monitor) : Scanner(fileName), Progress(monitor) {}
+  using PlaneByPlane::PlaneByPlane;
 
   CurveNetwork Read()
   {
     this->Scanner.Expect("CSLC", "'CSLC', as a cross-section set begins");
     const int planes = this->Scanner.NextCount("the number of planes", BytesPerPlane);
     this->Scanner.NextInteger("the number of labels");
-    for (this->Plane = 0; this->Plane < planes; ++this->Plane)
-    {
-      this->ReadPlane();
-      this->Progress.Update(this->Scanner.GetFraction(), "reading planes");
-    }
-    this->Scanner.ExpectEnd("after " + std::to_string(planes) + " planes");
-    for (auto& [label, material] : this->Materials)
-    {
-      this->Result.Materials.push_back(std::move(material));
-    }
-    return std::move(this->Result);
+    return this->ReadPlanes(planes);
   }
 
 private:
-  std::string PlaneName() const { return "Plane " + std::to_string(this->Plane + 1); }
-
-  void ReadPlane()
+  void ReadPlane() override
   {
     this->Scanner.NextInteger("the id of the next plane");
     const int vertexCount =
@@ -63,14 +50,7 @@ private:
       component = this->Scanner.NextNumber("A, B and C of the plane");
     }
     const double d = this->Scanner.NextNumber("D of the plane");
-    std::vector<Point3> vertices(static_cast<std::size_t>(vertexCount));
-    for (Point3& vertex : vertices)
-    {
-      for (double& coordinate : vertex)
-      {
-        coordinate = this->Scanner.NextNumber("x, y and z of a vertex");
-      }
-    }
+    const std::vector<Point3> vertices = this->ReadVertices(vertexCount);
     this->ReportPlane(CheckPlane(normal, d, vertices));
     std::vector<Ring> rings;
     for (int ring = 0; ring < ringCount; ++ring)
@@ -86,8 +66,8 @@ private:
     {
       return;
     }
-    this->Result.Report.push_back(this->PlaneName() + ": " +
-      (fit == PlaneFit::WrongSign ? "D has the wrong sign" : "A, B, C, D do not fit its vertices") +
+    this->Note(std::string(fit == PlaneFit::WrongSign ? "D has the wrong sign"
+                                                      : "A, B, C, D do not fit its vertices") +
       "; the vertices were taken as they are.");
   }
 
@@ -115,14 +95,7 @@ private:
     ring.Label = this->Scanner.NextInteger("the label of the component");
     for (int i = 0; i < count; ++i)
     {
-      const int index = this->Scanner.NextInteger("the index of a vertex of the component");
-      if (index < 0 || index >= vertexCount)
-      {
-        this->Scanner.Fail("vertex index " + std::to_string(index) +
-          " is out of range; the plane has " + std::to_string(vertexCount) +
-          " vertices, counted from 0.");
-      }
-      ring.Points.push_back(index);
+      ring.Points.push_back(this->ReadIndex("the index of a vertex of the component", vertexCount));
     }
     return ring;
   }
@@ -145,7 +118,6 @@ private:
 
   void AddRings(const std::vector<Ring>& rings, const std::vector<Point3>& vertices)
   {
-    std::map<int, std::vector<int>> numbers; // of the plane's vertices in each material
     for (std::size_t r = 0; r < rings.size(); ++r)
     {
       if (rings[r].Points.empty())
@@ -154,34 +126,9 @@ private:
           ": left out, it has no vertices.");
         continue;
       }
-      const int label = this->MaterialOf(rings, r);
-      MaterialContours& material = this->Materials[label];
-      material.Label = label;
-      std::vector<int>& known = numbers[label];
-      known.resize(vertices.size(), -1);
-      LoopSoup::Chain chain;
-      chain.Closed = true;
-      chain.Source = static_cast<int>(material.Soup.Chains.size());
-      for (const int index : rings[r].Points)
-      {
-        int& number = known[static_cast<std::size_t>(index)];
-        if (number < 0)
-        {
-          number = static_cast<int>(material.Soup.Points.size());
-          material.Soup.Points.push_back(vertices[static_cast<std::size_t>(index)]);
-        }
-        chain.Points.push_back(number);
-      }
-      material.Soup.Chains.push_back(std::move(chain));
-      material.Planes.push_back(this->Plane);
+      this->AddChain(this->MaterialOf(rings, r), vertices, rings[r].Points, true);
     }
   }
-
-  TextScanner Scanner;
-  Monitor& Progress;
-  CurveNetwork Result;
-  std::map<int, MaterialContours> Materials;
-  int Plane = 0;
 };
 }
 

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "CurveNetwork/ContourNetworkParser.h"
 
-#include "Common/TextScanner.h"
 #include "CurveNetwork/MaterialWalker.h"
+#include "CurveNetwork/PlaneByPlane.h"
 #include "CurveNetwork/PlaneCheck.h"
-
-#include <map>
-#include <set>
 
 namespace recon
 {
@@ -17,38 +14,18 @@ constexpr std::size_t BytesPerPlane = 12;
 constexpr std::size_t BytesPerVertex = 6;
 constexpr std::size_t BytesPerEdge = 8;
 
-class ContourNetworkParser
+class ContourNetworkParser : private PlaneByPlane
 {
 public:
-  ContourNetworkParser(const std::string& fileName, Monitor& monitor)
-    : Scanner(fileName),
-      Progress(monitor)
-  {
-  }
+  using PlaneByPlane::PlaneByPlane;
 
   CurveNetwork Read()
   {
-    const int planes = this->Scanner.NextCount("the number of planes", BytesPerPlane);
-    for (this->Plane = 0; this->Plane < planes; ++this->Plane)
-    {
-      this->ReadPlane();
-      this->Progress.Update(this->Scanner.GetFraction(), "reading planes");
-    }
-    this->Scanner.ExpectEnd("after " + std::to_string(planes) + " planes");
-    for (auto& [label, material] : this->Materials)
-    {
-      this->Result.Materials.push_back(std::move(material));
-    }
-    return std::move(this->Result);
+    return this->ReadPlanes(this->Scanner.NextCount("the number of planes", BytesPerPlane));
   }
 
 private:
-  void Note(const std::string& sentence)
-  {
-    this->Result.Report.push_back("Plane " + std::to_string(this->Plane + 1) + ": " + sentence);
-  }
-
-  void ReadPlane()
+  void ReadPlane() override
   {
     Vector3 normal{};
     for (double& component : normal)
@@ -59,14 +36,7 @@ private:
     const int vertexCount =
       this->Scanner.NextCount("the number of vertices of the plane", BytesPerVertex);
     const int edgeCount = this->Scanner.NextCount("the number of edges of the plane", BytesPerEdge);
-    std::vector<Point3> vertices(static_cast<std::size_t>(vertexCount));
-    for (Point3& vertex : vertices)
-    {
-      for (double& coordinate : vertex)
-      {
-        coordinate = this->Scanner.NextNumber("x, y and z of a vertex");
-      }
-    }
+    const std::vector<Point3> vertices = this->ReadVertices(vertexCount);
     std::vector<NetworkEdge> edges;
     for (int edge = 0; edge < edgeCount; ++edge)
     {
@@ -80,13 +50,7 @@ private:
     NetworkEdge edge;
     for (int* end : { &edge.From, &edge.To })
     {
-      *end = this->Scanner.NextInteger("the index of a vertex of an edge");
-      if (*end < 0 || *end >= vertexCount)
-      {
-        this->Scanner.Fail("vertex index " + std::to_string(*end) +
-          " is out of range; the plane has " + std::to_string(vertexCount) +
-          " vertices, counted from 0.");
-      }
+      *end = this->ReadIndex("the index of a vertex of an edge", vertexCount);
     }
     for (int* material : { &edge.Left, &edge.Right })
     {
@@ -131,46 +95,23 @@ private:
     }
     for (const int label : walker.GetMaterials())
     {
-      MaterialContours& material = this->Materials[label];
-      material.Label = label;
-      this->AddWalks(walker.Walk(label), vertices, material);
+      this->AddWalks(walker.Walk(label), vertices, label);
     }
   }
 
-  void AddWalks(const std::vector<MaterialWalk>& walks, const std::vector<Point3>& vertices,
-    MaterialContours& material)
+  void AddWalks(
+    const std::vector<BorderWalk>& walks, const std::vector<Point3>& vertices, int material)
   {
-    std::vector<int> known(vertices.size(), -1);
-    for (const MaterialWalk& walk : walks)
+    for (const BorderWalk& walk : walks)
     {
       if (!walk.Closed)
       {
-        this->Note("the boundary of material " + std::to_string(material.Label) +
-          " is not closed, it ends at vertex " + std::to_string(walk.Vertices.back()) + ".");
+        this->Note("the boundary of material " + std::to_string(material) +
+          " is not closed, it ends at vertex " + std::to_string(walk.Points.back()) + ".");
       }
-      LoopSoup::Chain chain;
-      chain.Closed = walk.Closed;
-      chain.Source = static_cast<int>(material.Soup.Chains.size());
-      for (const int vertex : walk.Vertices)
-      {
-        int& number = known[static_cast<std::size_t>(vertex)];
-        if (number < 0)
-        {
-          number = static_cast<int>(material.Soup.Points.size());
-          material.Soup.Points.push_back(vertices[static_cast<std::size_t>(vertex)]);
-        }
-        chain.Points.push_back(number);
-      }
-      material.Soup.Chains.push_back(std::move(chain));
-      material.Planes.push_back(this->Plane);
+      this->AddChain(material, vertices, walk.Points, walk.Closed);
     }
   }
-
-  TextScanner Scanner;
-  Monitor& Progress;
-  CurveNetwork Result;
-  std::map<int, MaterialContours> Materials;
-  int Plane = 0;
 };
 }
 

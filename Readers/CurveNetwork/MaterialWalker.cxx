@@ -2,81 +2,13 @@
 #include "CurveNetwork/MaterialWalker.h"
 
 #include "Base/Predicates.h"
-#include "Planar/TurnOrder.h"
 
-#include <algorithm>
-#include <map>
+#include <cstddef>
 #include <set>
+#include <utility>
 
 namespace recon
 {
-namespace
-{
-/// One side of an edge, walked with the material to the left.
-struct HalfEdge
-{
-  int From = 0;
-  int To = 0;
-  bool Used = false;
-};
-
-/// The half-edges of one material, and how to walk on from one to the next.
-class HalfEdges
-{
-public:
-  void Add(int from, int to)
-  {
-    this->Outgoing[from].push_back(static_cast<int>(this->All.size()));
-    ++this->Balance[from];
-    --this->Balance[to];
-    this->All.push_back({ from, to, false });
-  }
-
-  /// Where a walk that never closes has to begin: more edges leave than arrive.
-  std::vector<int> OpenStarts() const
-  {
-    std::vector<int> starts;
-    for (const auto& [vertex, balance] : this->Balance)
-    {
-      starts.insert(starts.end(), static_cast<std::size_t>(std::max(balance, 0)), vertex);
-    }
-    return starts;
-  }
-
-  /// Clockwise from where one came from: the next edge there bounds the same corner of the
-  /// material.
-  int NextAfter(int from, int at, const std::vector<Point2>& points) const
-  {
-    const auto found = this->Outgoing.find(at);
-    int best = -1;
-    for (const int candidate : found == this->Outgoing.end() ? std::vector<int>() : found->second)
-    {
-      const HalfEdge& half = this->All[static_cast<std::size_t>(candidate)];
-      if (half.Used)
-      {
-        continue;
-      }
-      // Where a walk begins, any will do.
-      if (best < 0 ||
-        (from >= 0 &&
-          ComesFirstClockwise(points[static_cast<std::size_t>(at)],
-            points[static_cast<std::size_t>(from)], points[static_cast<std::size_t>(half.To)],
-            points[static_cast<std::size_t>(this->All[static_cast<std::size_t>(best)].To)])))
-      {
-        best = candidate;
-      }
-    }
-    return best;
-  }
-
-  std::vector<HalfEdge> All;
-
-private:
-  std::map<int, std::vector<int>> Outgoing;
-  std::map<int, int> Balance;
-};
-}
-
 MaterialWalker::MaterialWalker(
   const Vector3& normal, const std::vector<Point3>& vertices, const std::vector<NetworkEdge>& edges)
   : Edges(edges)
@@ -150,60 +82,20 @@ std::vector<int> MaterialWalker::GetMaterials() const
   return std::vector<int>(materials.begin(), materials.end());
 }
 
-std::vector<MaterialWalk> MaterialWalker::Walk(int material) const
+std::vector<BorderWalk> MaterialWalker::Walk(int material) const
 {
-  HalfEdges halves;
+  BorderWalks walks(this->Planar);
   for (const NetworkEdge& edge : this->Edges)
   {
     if (edge.Left == material)
     {
-      halves.Add(edge.From, edge.To);
+      walks.Add(edge.From, edge.To);
     }
     else if (edge.Right == material)
     {
-      halves.Add(edge.To, edge.From);
+      walks.Add(edge.To, edge.From);
     }
   }
-  std::vector<MaterialWalk> walks;
-  const auto walkFrom = [&](int half, bool isOpen)
-  {
-    MaterialWalk walk;
-    const int start = halves.All[static_cast<std::size_t>(half)].From;
-    int from = start;
-    while (half >= 0)
-    {
-      HalfEdge& current = halves.All[static_cast<std::size_t>(half)];
-      current.Used = true;
-      walk.Vertices.push_back(current.From);
-      from = current.From;
-      const int at = current.To;
-      half = !isOpen && at == start ? -1 : halves.NextAfter(from, at, this->Planar);
-      if (half < 0)
-      {
-        walk.Closed = at == start;
-        if (!walk.Closed)
-        {
-          walk.Vertices.push_back(at);
-        }
-      }
-    }
-    walks.push_back(std::move(walk));
-  };
-  for (const int vertex : halves.OpenStarts())
-  {
-    const int half = halves.NextAfter(-1, vertex, this->Planar);
-    if (half >= 0)
-    {
-      walkFrom(half, true);
-    }
-  }
-  for (std::size_t i = 0; i < halves.All.size(); ++i)
-  {
-    if (!halves.All[i].Used)
-    {
-      walkFrom(static_cast<int>(i), false);
-    }
-  }
-  return walks;
+  return walks.Walk();
 }
 }

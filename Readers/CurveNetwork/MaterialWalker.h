@@ -6,7 +6,7 @@
 #ifndef recon_MaterialWalker_h
 #define recon_MaterialWalker_h
 
-#include "Base/Geometry.h"
+#include "Planar/BorderWalks.h"
 
 #include <vector>
 
@@ -19,12 +19,6 @@ struct NetworkEdge
   int To = 0;
   int Left = 0;
   int Right = 0;
-};
-
-struct MaterialWalk
-{
-  std::vector<int> Vertices; ///< the first is not repeated
-  bool Closed = false;
 };
 
 class MaterialWalker
@@ -48,7 +42,7 @@ public:
   std::vector<int> GetMaterials() const;
 
   /// The boundary of a material, with the material to the left.
-  std::vector<MaterialWalk> Walk(int material) const;
+  std::vector<BorderWalk> Walk(int material) const;
 
 private:
   std::vector<Point2> Planar;

@@ -3,7 +3,7 @@
 
 #include "Base/DisjointSets.h"
 #include "Base/Predicates.h"
-#include "Planar/TurnOrder.h"
+#include "Planar/BorderWalks.h"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 #include <tuple>
 #include <utility>
 
@@ -33,7 +32,7 @@ public:
   Region(const ContourSet& set, const std::vector<int>& contours) : Set(set), Contours(contours) {}
 
   /// The walks around the region, as indices into the set's points.
-  std::vector<std::vector<int>> Walks();
+  std::vector<BorderWalk> Walks();
 
 private:
   /// A vertex of a contour, with its neighbours; points that contours share have several.
@@ -54,7 +53,6 @@ private:
   void AddBridges();
   bool IsInside(int from, int to) const;
   bool IsBetween(const Corner& corner, int at, int to) const;
-  int Next(int from, int at) const;
 
   const ContourSet& Set;
   const std::vector<int>& Contours;
@@ -143,38 +141,19 @@ void Region::AddBridges()
   }
 }
 
-int Region::Next(int from, int at) const
-{
-  const std::vector<int>& ends = this->Outgoing.at(at);
-  return *std::min_element(ends.begin(), ends.end(),
-    [&](int a, int b)
-    { return ComesFirstClockwise(this->At(at), this->At(from), this->At(a), this->At(b)); });
-}
-
-std::vector<std::vector<int>> Region::Walks()
+std::vector<BorderWalk> Region::Walks()
 {
   this->AddEdges();
   this->AddBridges();
-  std::vector<std::vector<int>> walks;
-  std::set<std::pair<int, int>> walked;
+  BorderWalks walks(this->Set.Planar);
   for (const auto& [start, ends] : this->Outgoing)
   {
     for (const int end : ends)
     {
-      std::vector<int> walk;
-      std::pair<int, int> edge(start, end);
-      while (walked.insert(edge).second)
-      {
-        walk.push_back(edge.first);
-        edge = { edge.second, this->Next(edge.first, edge.second) };
-      }
-      if (!walk.empty())
-      {
-        walks.push_back(std::move(walk));
-      }
+      walks.Add(start, end);
     }
   }
-  return walks;
+  return walks.Walk();
 }
 }
 
@@ -191,14 +170,14 @@ std::vector<KeyholeContour> JoinHoles(const ContourSet& set)
   for (const auto& [outer, contours] : regions)
   {
     const Contour& contour = set.Contours[static_cast<std::size_t>(outer)];
-    const std::vector<std::vector<int>> walks = contours.size() == 1
-      ? std::vector<std::vector<int>>{ contour.Points }
+    const std::vector<BorderWalk> walks = contours.size() == 1
+      ? std::vector<BorderWalk>{ { contour.Points, true } }
       : Region(set, contours).Walks();
-    for (const std::vector<int>& walk : walks)
+    for (const BorderWalk& walk : walks)
     {
       KeyholeContour keyhole;
       keyhole.Source = contour.Source;
-      for (const int point : walk)
+      for (const int point : walk.Points)
       {
         keyhole.Points.push_back(set.Points[static_cast<std::size_t>(point)]);
       }

@@ -8,7 +8,8 @@
  * on its left. A bridge is an edge of the region's constrained Delaunay triangulation between two
  * of its contours; as many as it takes to connect them (a shortest spanning tree) are walked in
  * both directions. Such edges cross neither contours nor one another, so the walk never crosses
- * itself.
+ * itself. The bridges need a triangulation of their own, as the labelled faces of EdgeSweep.h tell nothing
+ * of distances: Delaunay edges hold the shortest ways between contours. BorderWalks.h walks.
  */
 #ifndef recon_Keyholes_h
 #define recon_Keyholes_h

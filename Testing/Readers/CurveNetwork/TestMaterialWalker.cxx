@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-using recon::MaterialWalk;
+using recon::BorderWalk;
 using recon::MaterialWalker;
 
 namespace
@@ -13,11 +13,11 @@ namespace
 const recon::Vector3 Up{ 0, 0, 1 };
 
 /// The walk from its smallest vertex on.
-std::vector<int> FromSmallest(MaterialWalk walk)
+std::vector<int> FromSmallest(BorderWalk walk)
 {
-  std::rotate(walk.Vertices.begin(), std::min_element(walk.Vertices.begin(), walk.Vertices.end()),
-    walk.Vertices.end());
-  return walk.Vertices;
+  std::rotate(walk.Points.begin(), std::min_element(walk.Points.begin(), walk.Points.end()),
+    walk.Points.end());
+  return walk.Points;
 }
 
 /// Two unit squares side by side, materials 1 and 2.
@@ -36,7 +36,7 @@ TEST(MaterialWalker, WalksWithTheMaterialToTheLeft)
   MaterialWalker walker(Up, Squares, EdgesOfSquares());
   EXPECT_FALSE(walker.SwapSidesWhereZeroIsInside());
   EXPECT_EQ(walker.GetMaterials(), (std::vector<int>{ 1, 2 }));
-  const std::vector<MaterialWalk> first = walker.Walk(1);
+  const std::vector<BorderWalk> first = walker.Walk(1);
   ASSERT_EQ(first.size(), 1u);
   EXPECT_TRUE(first[0].Closed);
   EXPECT_EQ(FromSmallest(first[0]), (std::vector<int>{ 0, 1, 4, 5 }));
@@ -60,12 +60,12 @@ TEST(MaterialWalker, WalksOfAMaterialThatMeetInAVertexStayApart)
   MaterialWalker walker(Up, vertices,
     { { 0, 1, 1, 0 }, { 1, 2, 1, 0 }, { 2, 0, 1, 0 }, { 0, 3, 1, 0 }, { 3, 4, 1, 0 },
       { 4, 0, 1, 0 } });
-  const std::vector<MaterialWalk> walks = walker.Walk(1);
+  const std::vector<BorderWalk> walks = walker.Walk(1);
   ASSERT_EQ(walks.size(), 2u);
-  for (const MaterialWalk& walk : walks)
+  for (const BorderWalk& walk : walks)
   {
     EXPECT_TRUE(walk.Closed);
-    EXPECT_EQ(walk.Vertices.size(), 3u);
+    EXPECT_EQ(walk.Points.size(), 3u);
   }
 }
 
@@ -74,8 +74,8 @@ TEST(MaterialWalker, WhatDoesNotCloseIsOpen)
   std::vector<recon::NetworkEdge> edges = EdgesOfSquares();
   edges.erase(edges.begin()); // from 0 to 1
   MaterialWalker walker(Up, Squares, edges);
-  const std::vector<MaterialWalk> walks = walker.Walk(1);
+  const std::vector<BorderWalk> walks = walker.Walk(1);
   ASSERT_EQ(walks.size(), 1u);
   EXPECT_FALSE(walks[0].Closed);
-  EXPECT_EQ(walks[0].Vertices, (std::vector<int>{ 1, 4, 5, 0 }));
+  EXPECT_EQ(walks[0].Points, (std::vector<int>{ 1, 4, 5, 0 }));
 }
