@@ -67,6 +67,15 @@ paraview_plugin_build(
   LIBRARY_SUBDIRECTORY "${contour_plugin_subdirectory}"
   INSTALL_HEADERS OFF)
 
+# The generated wrapping of a class is a few lines under headers that take seconds: a compiler a module, not a class.
+foreach (module IN LISTS contour_modules)
+  foreach (wrapping IN ITEMS CS Python)
+    if (TARGET ${module}${wrapping})
+      set_target_properties(${module}${wrapping} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
+    endif ()
+  endforeach ()
+endforeach ()
+
 # What a user needs, without the tests: all that is installed.
 add_custom_target(plugin DEPENDS ContourReconstruction ContourManPage)
 if (CONTOUR_WRAP_PYTHON)
