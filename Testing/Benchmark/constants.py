@@ -5,12 +5,13 @@
 
 Every `constexpr` number of Filters/Core with the comment above it, so that the page cannot lag behind the code. How it came to
 its value is told from that comment: *measured* where it names a measurement, *by other names* where it is computed from other
-constants, *mathematics* where it speaks of rounding or exactness, *unsaid* where it gives none of these. The sorting goes by
-words, so that a row may be better founded than it says.
+constants, *mathematics* where it speaks of rounding or exactness, *reasoned* where it says what the number is for and no more,
+*unsaid* where there is no word. The sorting goes by words, so that a row may be better founded than it says.
 
 --sweep builds the core once more with all constants as variables (constants/variables.py; the product is not touched), runs
 scenes on shapes whose truth is known with each constant halved and doubled (constants/bench_constants.cxx), and writes what it
-saw to FILE, a line a run; some quarter of an hour. Shapes are in two halves: what is chosen on the first can be held against the
+saw to FILE, a line a run; some quarter of an hour. A page that --markdown replaces gives on its figures of constants that were
+not swept this time and still have their value. Shapes are in two halves: what is chosen on the first can be held against the
 second; further options (--scene TEXT, --shapes N a half, --half first|second) make it shorter. --swept takes such a file and puts its figures into the page; --only: files whose name has one of the
 texts in it, which commas part.
 """
@@ -40,17 +41,19 @@ HALVES = ("first", "second")
 
 
 def constants(path):
-    comment = []
+    comment, told = [], False
     with open(path, encoding="utf-8") as stream:
         for line in stream:
             said = re.match(r"\s*(?:///?<?|\*|/\*\*)\s?(.*)", line)
             found = CONSTANT.match(line)
             if found:
-                beside = re.search(r"///<\s*(.*)", line)
+                beside = re.search(r"//+<?\s*(.*)", line)
                 yield found.group(1), found.group(2).strip(), " ".join(comment + ([beside.group(1)] if beside else [])).strip()
+                told = True
             elif said and not line.strip().startswith("*/"):
-                comment.append(said.group(1).strip())
-            else:
+                # What stands above several constants in a row is about all of them.
+                comment, told = ([] if told else comment) + [said.group(1).strip()], False
+            elif not line.strip().startswith("*/"):
                 comment = []
 
 
@@ -59,7 +62,7 @@ def origin(name, value, comment):
         return "by other names"
     if name in ("Pi", "RadiansPerDegree") or EXACT.search(comment + " " + name):
         return "mathematics, or arithmetic of doubles"
-    return "measured" if MEASURED.search(comment) else "unsaid"
+    return "measured" if MEASURED.search(comment) else "reasoned" if comment else "unsaid"
 
 
 def rows(only):
@@ -174,9 +177,10 @@ def judge(runs, usual):
     return table
 
 
+SHAPES = "Scenes and shapes (of the shared test data, cut by 24 planes, where Implicit Surface is whole by 10): "
 HEADING = """# The core's constants
 
-Made by `./run bench constants --swept FILE --markdown Data/CONSTANTS.md`; its docstring, in `Testing/Benchmark/constants.py`, says how.
+Made by `./run bench constants --swept FILE --markdown Data/CONSTANTS.md`, which keeps figures of earlier sweeps; its docstring, in `Testing/Benchmark/constants.py`, says how.
 {summary}
 
 *Half* and *double*: what the constant at half and at double of its value makes of the first and of the second half of the shapes,
@@ -184,35 +188,55 @@ from `./run bench constants --sweep FILE` (one constant at a time, all others as
 error; for fewer centres: their number) beside that with the value as it is, geometric mean over the scenes whose output changes; *time* the same of processor
 time where it differs by more than {time:.0%}; then what became worse otherwise. **=**: the same to the bit; **±0**: a difference that does not
 show in the figure; **–**: no scene of that half reads it, or none was run. A row without any: not swept.
-Scenes and shapes (of the shared test data, cut by 24 planes, where Implicit Surface is whole by 10): {shapes}.
+{shapes}.
 Figures within {noise:.0%} are noise. Constants that the compiler must know, or that are no matter of taste, are not swept.
 
 - *No difference* on tidy cuts of closed meshes says nothing against a tolerance: most of those in `Contours/` and `Planar/` are for input that is not tidy, and
   the tests of faults ask for them.
 - The meshes are cut at the middles of equal slices, so each ends just half a slice beyond its last contour: the sweep favours longer ends
   (`HighestOutermostEnd`, `EndsBeyond`) more than scans do, which begin anywhere.
+- A row without figures has its reason in the last column. *Reasoned* says what the number is for; that it is the best one is not claimed.
 - Scenes that are not named above were not run (`./run bench constants --sweep FILE --scene NAME` runs one), so what only they read is not swept yet.
 - A factor below 1 that becomes more than 1 when it is doubled (`ShrinkStep`) ends nothing: that is a value that makes no sense, not a finding.
 
 """
 
 
+def page_before(path):
+    """The figures that a page has already, by file, constant and value, and its line about shapes."""
+    figures, shapes = {}, ""
+    if os.path.exists(path):
+        with open(path, encoding="utf-8") as stream:
+            for line in stream:
+                cells = line.rstrip("\n").split(" | ")
+                if line.startswith("| ") and len(cells) == 8 and cells[6].strip():
+                    figures[cells[0][2:], cells[1].strip("`"), cells[2].strip("`")] = cells[4:7]
+                elif line.startswith(SHAPES):
+                    shapes = line[len(SHAPES):].strip().rstrip(".")
+    return figures, shapes
+
+
 def write_page(path, found, sweep):
     runs, usual = sweep or ({}, {})
-    tables = {constant: judge(of, usual) for constant, of in runs.items()}
-    verdicts = collections.Counter(re.sub(r"(half|double) is .*", "one of the halves would rather have another value",
-                                          verdict(table).strip("*")) for table in tables.values())
+    figures, shapes = page_before(path)
+    if usual:
+        shapes = "; then ".join(part for part in (shapes, shapes_of(usual)) if part)
+    for place, constant, value, _, _ in found:
+        if f"{place}:{constant}" in runs:
+            table = judge(runs[f"{place}:{constant}"], usual)
+            figures[place, constant, value] = [", ".join(words(table[half][factor]) for half in HALVES) for factor in (0.5, 2.0)] + [verdict(table)]
+    figures = {row[:3]: figures[row[:3]] for row in found if row[:3] in figures}
     summary = summary_of(found)
-    if sweep:
-        summary += f" Swept: {len(tables)}: " + ", ".join(f"{count} {what}" for what, count in verdicts.most_common()) + "."
+    if figures:
+        verdicts = collections.Counter(re.sub(r"(half|double) is .*", "one of the halves would rather have another value",
+                                              columns[2].strip("*")) for columns in figures.values())
+        summary += f" Swept: {len(figures)}: " + ", ".join(f"{count} {what}" for what, count in verdicts.most_common()) + "."
     with open(path, "w", encoding="utf-8") as stream:
-        stream.write(HEADING.format(summary=summary, noise=FIGURE_NOISE, time=TIME_NOISE, shapes=shapes_of(usual)))
+        stream.write(HEADING.format(summary=summary, noise=FIGURE_NOISE, time=TIME_NOISE, shapes=SHAPES + shapes))
         stream.write("| file | constant | value | origin | half: first, second | double: first, second | verdict | what the source says |\n"
                      "|---|---|---|---|---|---|---|---|\n")
         for place, constant, value, kind, comment in found:
-            table = tables.get(f"{place}:{constant}")
-            swept = ["", "", ""] if table is None else [
-                ", ".join(words(table[half][factor]) for half in HALVES) for factor in (0.5, 2.0)] + [verdict(table)]
+            swept = figures.get((place, constant, value), ["", "", ""])
             stream.write(f"| {place} | `{constant}` | `{value}` | {kind} | " + " | ".join(swept) + f" | {comment} |\n")
 
 

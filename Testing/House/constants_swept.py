@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What `./run bench constants --sweep` stands on: the copy of the core differs from the core in its constants alone, and the
-page says of made-up runs what is so of them."""
+"""What `./run bench constants` stands on: the copy of the core differs from the core in its constants alone, and the page says of
+made-up runs what is so of them. Every constant of the core has a word beside or above it that says what it is."""
 import pathlib
 import re
 import subprocess
@@ -73,10 +73,50 @@ def verdicts(wrong):
             wrong.append(f"The verdict is '{said}', not '{expected}'.")
 
 
+SOURCE = """/// Part of the diagonal.
+constexpr double One = 0.5;
+constexpr double Other = 0.25;
+// About the third alone.
+constexpr int Third = 3;
+
+constexpr int Fourth = 4; ///< beside it
+constexpr int Fifth = 5;
+"""
+WORDS = {"One": "Part of the diagonal.", "Other": "Part of the diagonal.", "Third": "About the third alone.", "Fourth": "beside it", "Fifth": ""}
+
+
+def words_of_constants(wrong):
+    with tempfile.TemporaryDirectory() as place:
+        path = pathlib.Path(place) / "Made.h"
+        path.write_text(SOURCE, encoding="utf-8")
+        said = {name: comment for name, _, comment in constants.constants(path)}
+        if said != WORDS:
+            wrong.append(f"The words of constants are read as {said}.")
+    wrong += [f"{row[0]}: {row[1]} has no word that says what it is." for row in constants.rows("") if row[3] == "unsaid"]
+
+
+def page_keeps_figures(wrong):
+    """Of a constant that keeps its value, also where another sweep knows nothing of it."""
+    with tempfile.TemporaryDirectory() as place:
+        path = str(pathlib.Path(place) / "page.md")
+        row = ("X.cxx", "Y", "0.5", "reasoned", "a part")
+        usual = {("implicit", f"shape {half}"): run(half, 1, 1.0, "same") for half in constants.HALVES}
+        constants.write_page(path, [row], ({"X.cxx:Y": [run("first", 0.5, 1.2)]}, usual))
+        before = pathlib.Path(path).read_text(encoding="utf-8")
+        constants.write_page(path, [row], None)
+        if pathlib.Path(path).read_text(encoding="utf-8") != before or "×1.200" not in before:
+            wrong.append("A page without a new sweep loses the figures of the last one.")
+        constants.write_page(path, [("X.cxx", "Y", "0.75", "reasoned", "a part")], None)
+        if "×1.200" in pathlib.Path(path).read_text(encoding="utf-8"):
+            wrong.append("A page gives the figures of another value.")
+
+
 def main():
     wrong = []
     variables = copied(wrong)
     verdicts(wrong)
+    words_of_constants(wrong)
+    page_keeps_figures(wrong)
     house.end(wrong[:20], variables)
 
 

@@ -9,7 +9,7 @@ namespace recon
 {
 namespace
 {
-constexpr std::size_t Leaf = 40;
+constexpr std::size_t Leaf = 40; ///< points of a part that is not cut any further
 
 class Dissection
 {

@@ -25,7 +25,7 @@ class LinkedMesh
 {
 public:
   using Triangle = std::array<int, 3>;
-  static constexpr int None = -1;
+  static constexpr int None = -1; ///< no triangle, no point
 
   explicit LinkedMesh(const TriangleMesh& mesh);
   LinkedMesh(const LinkedMesh&) = delete;

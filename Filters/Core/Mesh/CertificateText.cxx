@@ -194,8 +194,8 @@ std::string VerdictWord(const ComponentCertificate& total)
   return total.Topology.Components == 0 ? "no surface" : total.IsSound() ? "sound" : "NOT sound";
 }
 
-constexpr double CubicMillimetres = 1000;
-constexpr double SquareMillimetres = 100;
+constexpr double CubicMillimetres = 1000; ///< of a cubic centimetre
+constexpr double SquareMillimetres = 100; ///< of a square centimetre
 
 std::optional<double> Divided(const std::optional<double>& value, double by)
 {

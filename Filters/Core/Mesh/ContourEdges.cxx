@@ -10,7 +10,7 @@ namespace recon
 {
 namespace
 {
-constexpr double RelativeTolerance = 1e-9;
+constexpr double RelativeTolerance = 1e-9; ///< part of the diagonal of the mesh
 
 double Diagonal(const TriangleMesh& mesh)
 {

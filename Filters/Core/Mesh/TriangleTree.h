@@ -31,7 +31,7 @@ namespace recon
 class TriangleTree
 {
 public:
-  static constexpr int LeafSize = 4;
+  static constexpr int LeafSize = 4; ///< triangles
 
   explicit TriangleTree(const TriangleMesh& mesh);
 

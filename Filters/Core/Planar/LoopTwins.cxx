@@ -46,7 +46,7 @@ constexpr double OnEitherSide = 0.1;
 // Of its points, a loop with points left out has at least this many on the first.
 constexpr double PointsOnOther = 0.9;
 
-constexpr int MostDecimals = 8;
+constexpr int MostDecimals = 8; ///< more are not told from coordinates that nobody rounded
 
 class TwinFinder
 {

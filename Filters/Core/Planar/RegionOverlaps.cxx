@@ -29,7 +29,7 @@ std::size_t Index(int i)
   return static_cast<std::size_t>(i);
 }
 
-constexpr int Outside = -1;
+constexpr int Outside = -1; ///< of all contours
 
 /// The innermost contours of either level around a face.
 struct Place

@@ -10,8 +10,8 @@ namespace recon
 {
 namespace
 {
-constexpr int NoContour = -1;
-constexpr int NoGroup = -1;
+constexpr int NoContour = -1; ///< several contours share the point
+constexpr int NoGroup = -1;   ///< the face has none
 
 /// Of every point its contour; NoContour for one that contours share.
 std::vector<int> ContoursOfPoints(const ContourSet& contours)

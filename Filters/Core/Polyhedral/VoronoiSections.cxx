@@ -52,6 +52,7 @@ double VoronoiVertexError(const LevelTriangulation& level, int triangle)
   const double determinant = std::abs(bx * cy - by * cx);
   const double sum = std::abs(bx * cy) + std::abs(by * cx);
   const double numerator = b2 * (std::abs(cx) + std::abs(cy)) + c2 * (std::abs(bx) + std::abs(by));
+  // As FilterFactor of JointVoronoiPredicates.cxx.
   constexpr double factor = 32 * std::numeric_limits<double>::epsilon();
   return determinant > 2 * factor * sum
     ? factor * numerator / determinant * (1 + sum / determinant) +
@@ -196,6 +197,7 @@ LineInterval VoronoiSections::PositionOf(const Walker& walker, int from, int to)
     boundN += std::abs(way) * (std::abs(left) + std::abs(right));
     boundD += std::abs(way * line.Direction[k]);
   }
+  // As FilterFactor of JointVoronoiPredicates.cxx.
   constexpr double factor = 32 * std::numeric_limits<double>::epsilon();
   if (!(d > 2 * factor * boundD))
   {

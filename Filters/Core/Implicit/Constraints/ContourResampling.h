@@ -49,8 +49,8 @@ struct FilledEdges
 FilledEdges FillLongEdges(
   const ContourSet& contours, double longest, double spacing, std::size_t mostPoints);
 
-constexpr double ThinOutTolerance = 0.05;
-constexpr double ClosestPart = 0.05;
+constexpr double ThinOutTolerance = 0.05; ///< part of the spacing that a contour may move by
+constexpr double ClosestPart = 0.05;      ///< part of the spacing that corners keep apart
 
 /// A resampled contour keeps at least this many points where it has them.
 constexpr int MinimumPoints = 8;

@@ -55,7 +55,7 @@ public:
   }
 
 private:
-  static constexpr int MostRounds = 6;
+  static constexpr int MostRounds = 6; ///< of adding and fitting; stops earlier where all agree
   /// Beside one a contour point: what a contour of a few corners needs for straight edges.
   static constexpr std::size_t PlacesPerLevel = 300;
   static constexpr std::size_t MostNamed = 3;

@@ -397,7 +397,7 @@ SparseOperator Part(const SparseOperator& whole, const std::vector<int>& renamed
   return part;
 }
 
-constexpr std::size_t OrderPairs = (LargestOrder + 1) * (LargestOrder + 1);
+constexpr std::size_t OrderPairs = (LargestOrder + 1) * (LargestOrder + 1); ///< pairs of orders
 }
 
 ChebyshevOperators::ChebyshevOperators(int order) : P(order)

@@ -74,8 +74,8 @@ struct OffsetClass
 class ChebyshevOperators
 {
 public:
-  static constexpr int Classes = 16;
-  static constexpr int Turns = 48;
+  static constexpr int Classes = 16; ///< offsets of cells that are not one turned over
+  static constexpr int Turns = 48;   ///< of the cube, mirrored ones included
 
   /// @param order LeastOrder..LargestOrder
   static const ChebyshevOperators& OfOrder(int order);

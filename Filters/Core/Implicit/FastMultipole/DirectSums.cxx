@@ -17,7 +17,7 @@ namespace recon
 {
 namespace
 {
-constexpr std::size_t Lanes = 8;
+constexpr std::size_t Lanes = 8; ///< doubles in the widest register (512 bits)
 
 struct Block
 {

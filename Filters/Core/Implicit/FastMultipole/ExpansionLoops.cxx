@@ -10,7 +10,7 @@ namespace recon
 namespace
 {
 constexpr int L = ExpansionLanes;
-constexpr int Terms = LargestOrder + 1;
+constexpr int Terms = LargestOrder + 1; ///< of a polynomial of that order
 
 /// T_0..T_p at the lanes' places on one axis.
 struct ChebyshevValues
@@ -68,7 +68,7 @@ RECON_CLONES_WIDEST void Apply(const SparseOperator& op, const double* x, double
 
 RECON_CLONES_WIDEST void Multiply(const DenseProduct& product)
 {
-  constexpr int Block = 4;
+  constexpr int Block = 4; ///< rows at once
   const std::size_t lda = product.LdA;
   const std::size_t ldb = product.LdB;
   const std::size_t ldc = product.LdC;

@@ -37,7 +37,7 @@ constexpr const char* Stage = "summing kernels";
 template <typename Body>
 void ForBlocks(std::size_t count, int block, int threads, Monitor& monitor, const Body& body)
 {
-  constexpr std::size_t LeastBlocks = 4;
+  constexpr std::size_t LeastBlocks = 4; ///< fewer are done by the calling thread
   ParallelForBlocks(count, block, threads, body, monitor, { 0, 1, Stage }, LeastBlocks);
 }
 }

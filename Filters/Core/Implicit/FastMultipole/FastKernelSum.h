@@ -50,8 +50,8 @@ namespace recon
 class FastKernelSum
 {
 public:
-  static constexpr double CoarsestAccuracy = 1e-3;
-  static constexpr double FinestAccuracy = 5e-15;
+  static constexpr double CoarsestAccuracy = 1e-3; ///< the coarsest that may be asked for
+  static constexpr double FinestAccuracy = 5e-15;  ///< the finest that may be asked for
   /// Orders up to LargestQuickOrder are enough for it.
   static constexpr double FinestQuickAccuracy = 1.1e-13;
 

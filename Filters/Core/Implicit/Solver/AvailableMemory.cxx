@@ -11,7 +11,7 @@ namespace recon
 {
 namespace
 {
-constexpr double OtherwiseGigabytes = 8;
+constexpr double OtherwiseGigabytes = 8; ///< where the system does not tell
 
 std::optional<double> NumberIn(const std::string& file)
 {

@@ -68,7 +68,7 @@ struct Constraints
 Constraints MergeDuplicates(const std::vector<Point3>& points, const std::vector<double>& values,
   double distance, std::vector<std::string>& report, Monitor& monitor)
 {
-  constexpr std::size_t PointsPerUpdate = 16384;
+  constexpr std::size_t PointsPerUpdate = 16384; ///< between looks at the progress and for an abort
   const auto [least, largest] = std::minmax_element(values.begin(), values.end());
   const double sameValue = 1e-9 * (*largest - *least);
   const PointGrid grid(points, distance);

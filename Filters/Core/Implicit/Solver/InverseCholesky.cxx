@@ -16,9 +16,9 @@ namespace
 {
 constexpr const char* Stage = "preparing the solver";
 constexpr int Simplex = MaximinOrder::Simplex;
-constexpr int GroupsPerPiece = 8;
-constexpr int GroupsPerUpdate = 1024;
-constexpr int RowsPerPiece = 4096;
+constexpr int GroupsPerPiece = 8;     ///< of parallel work
+constexpr int GroupsPerUpdate = 1024; ///< between looks at the progress and for an abort
+constexpr int RowsPerPiece = 4096;    ///< of parallel work
 /// Below this, weights would grow so large that the products' own rounding, in doubles, were more
 /// than the values: to working precision the point repeats those before it. It gets no weight; what
 /// the others make there is its misfit.

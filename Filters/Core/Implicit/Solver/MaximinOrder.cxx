@@ -12,8 +12,8 @@ namespace recon
 namespace
 {
 constexpr const char* Stage = "ordering the constraints";
-constexpr int PointsPerLeaf = 12;
-constexpr int RanksPerUpdate = 4096;
+constexpr int PointsPerLeaf = 12;    ///< of the tree that neighbours are looked up in
+constexpr int RanksPerUpdate = 4096; ///< between looks at the progress and for an abort
 
 double Distance2To(const Point3& x, const Point3& low, const Point3& high)
 {

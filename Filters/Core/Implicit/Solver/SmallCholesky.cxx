@@ -106,7 +106,7 @@ RECON_CLONES_FUSED void FillProjectedColumn(
 // Column after column; four at a time are subtracted from the rest.
 bool FactoriseSmall(double* a, int size)
 {
-  constexpr int Width = 4;
+  constexpr int Width = 4; ///< columns at a time
   for (int from = 0; from < size; from += Width)
   {
     const int to = std::min(size, from + Width);

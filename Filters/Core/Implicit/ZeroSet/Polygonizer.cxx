@@ -54,7 +54,7 @@ constexpr int ThicknessSteps = 16;
 template <typename Body>
 void ForAll(std::size_t items, int threads, const Body& body, Monitor& monitor)
 {
-  constexpr std::size_t ItemsPerPiece = 4096;
+  constexpr std::size_t ItemsPerPiece = 4096; ///< of parallel work
   AbortMonitor stop(monitor);
   const auto run = [&](int piece)
   {

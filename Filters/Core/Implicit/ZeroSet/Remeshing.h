@@ -30,7 +30,7 @@ struct Agreement
   bool OnlyWithItself;
 };
 
-constexpr Agreement Usual{ 0.35, false };
+constexpr Agreement Usual{ 0.35, false }; ///< normals are 70 degrees apart at the most
 /// Where a sliver has to go at any (safe) price.
 constexpr Agreement LastResort{ 0.05, false };
 /// Where not even that mends it.
