@@ -11,6 +11,7 @@ import argparse
 import glob
 import os
 import sys
+import time
 
 import contourcli as cli
 
@@ -21,7 +22,7 @@ TITLES = ["file", "region", "contours", "triangles", "components", "genus", "clo
 
 # Of a method: its node, its table, the command that writes it, and the files that it takes beside those of Data/.
 FILES = ("rtstruct/*.dcm", "rtstruct/phantoms/*.dcm", "cnt/*.cnt", "csl/*.csl")
-METHODS = {"psm": ("Polyhedral Surface", "CERTIFICATES.md", "./run certificates", FILES),
+METHODS = {"psm": ("Polyhedral Surface", "CERTIFICATES.md", "./run certificates", FILES + ("ibsi/*.dcm",)),
            "ism": ("Implicit Surface", "CERTIFICATES_IMPLICIT.md", "./run certificates --method ism",
                    FILES + ("contour/*.contour",))}
 
@@ -68,6 +69,7 @@ def row(shown, contours, method):
     if method == "psm" and not is_parallel(contours):
         return [shown, contours.name, str(contours.data.GetNumberOfCells()),
                 "planes of several directions: for Implicit Surface"] + [""] * (len(TITLES) - 4)
+    start = time.process_time()
     try:
         result = cli.reconstruct(contours, method)
     except cli.CommandError as error:
@@ -80,7 +82,7 @@ def row(shown, contours, method):
             zero(total["CrossingPairs"]), zero(total["CrossingEdges"]), zero(total["OverlappingPairs"]), str(total["TouchingPairs"]),
             number(total["SmallestAngle"], 2), number(total["Volume"]), number(total["Area"]),
             number(along["FarthestContourVertex"], 2), number(along["FarthestContourEdge"], 2),
-            number(along["WorstSectionPercent"], 2), str(len(result.report)), f"{sum(s for _, s in result.seconds):.2f}"]
+            number(along["WorstSectionPercent"], 2), str(len(result.report)), f"{time.process_time() - start:.2f}"]
 
 
 def main():
@@ -111,9 +113,9 @@ def main():
             "degrees. *Crossing*, *overlapping* and *touching* count pairs of triangles, *sheets* edges at "
             "which sheets of the surface cross; touching is what a surface cut apart into a manifold leaves. *Vertex off* and *edge off* are the farthest that a contour vertex "
             "or edge is from the surface, those of contours that were left out included; *worst level* is the largest area, in percent of a level's contours, that "
-            "belongs to the contours or to the surface's section alone; *notes* is the number of contours that were "
-            "repaired or left out, which the surface names in its field data Report. Seconds are those of reconstruction and "
-            "certificate on two cores.\n\n")
+            "belongs to the contours or to the surface's section alone; edges may be off by the width that sheets which touch are "
+            "drawn apart (PinchGap); *notes* is the number of lines, a kind of repair each, in the surface's field data Report. Seconds are processor time of "
+            "reconstruction and certificate.\n\n")
         file.write("| " + " | ".join(TITLES) + " |\n|" + "---|" * len(TITLES) + "\n")
         for cells in rows:
             file.write("| " + " | ".join(c.replace("|", "/") for c in cells) + " |\n")

@@ -38,6 +38,14 @@ TRUE_EULER = {"eight_15", "hand_ok", "balloondog", "couplingdown x", "couplingdo
               "elephant z", "fertility x", "fertility y", "fertility z", "kitten y", "kitten z"}
 
 
+def value_of(text):
+    """A property's value as typed: ParaView takes numbers for numbers only."""
+    try:
+        return json.loads(text)
+    except ValueError:
+        return text
+
+
 def node_of(method, contours, properties):
     if method == "ism":
         return simple.ImplicitSurface(Input=contours, **properties)
@@ -130,7 +138,7 @@ def main():
     if not os.path.isdir(SHARED):
         print(f"SKIPPED: {SHARED} is not there")
         return 77
-    properties = dict(s.split("=", 1) for s in options.set)
+    properties = {name: value_of(text) for name, text in (s.split("=", 1) for s in options.set)}
     lines = [[title for title, _ in COLUMNS]]
     rows = []
     for name, contours, reference in cases(options.names):

@@ -2,19 +2,22 @@
 """Tell whether two builds make the same surfaces, to the last bit.
 
     CONTOUR_PLUGIN=.../ContourReconstruction.so pvpython fingerprints.py write OUT.json [--only TEXT] [--method psm|ism]
-        [--set PROPERTY=VALUE ...]
+        [--set PROPERTY=VALUE ...] [--keep FOLDER]
     python3 fingerprints.py compare OLD.json NEW.json
+    pvpython fingerprints.py compare OLD.json NEW.json --kept OLD_FOLDER NEW_FOLDER
 
 `write` reconstructs every region of Data/ and, where it is there, of the shared data, by both methods with
 default settings, and writes a digest a region: of points and triangles, and of the lines of Report. The
 implicit method runs at full detail up to FULL_DETAIL_POINTS contour points, and at Medium beyond, as
-otherwise it would take an hour. `compare` names every region whose digest differs and exits with 1.
+otherwise it would take an hour. `compare` names every region whose digest differs and exits with 1. Where the surfaces were kept it
+also says by how much: of the volume in percent, and of the vertices of either from the other surface, as a part of its diagonal.
 """
 import argparse
 import glob
 import hashlib
 import json
 import os
+import re
 import sys
 
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -43,6 +46,58 @@ def digest(data):
     lines = data.GetFieldData().GetAbstractArray("Report")
     report = "\n".join(lines.GetValue(i) for i in range(lines.GetNumberOfValues())) if lines else ""
     return geometry.hexdigest()[:16], hashlib.sha256(report.encode()).hexdigest()[:16]
+
+
+def path_in(folder, key):
+    return os.path.join(folder, re.sub(r"[^\w.-]+", "_", key) + ".vtp")
+
+
+def keep(data, folder, key):
+    from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
+    os.makedirs(folder, exist_ok=True)
+    writer = vtkXMLPolyDataWriter()
+    writer.SetInputDataObject(data)
+    writer.SetFileName(path_in(folder, key))
+    writer.SetDataModeToBinary()
+    writer.Write()
+
+
+def kept(folder, key):
+    from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+    reader = vtkXMLPolyDataReader()
+    reader.SetFileName(path_in(folder, key))
+    reader.Update()
+    return reader.GetOutput()
+
+
+def volume(data):
+    import numpy
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+    points = vtk_to_numpy(data.GetPoints().GetData()).astype(float)
+    points = points - points.mean(axis=0)
+    a, b, c = points[vtk_to_numpy(data.GetPolys().GetConnectivityArray()).reshape(-1, 3)].transpose(1, 0, 2)
+    return float((a * numpy.cross(b, c)).sum() / 6)
+
+
+def farthest(data, other):
+    """The largest distance of a vertex of the one from the other surface."""
+    from vtkmodules.vtkCommonCore import mutable
+    from vtkmodules.vtkCommonDataModel import vtkGenericCell, vtkStaticCellLocator
+    locator = vtkStaticCellLocator()
+    locator.SetDataSet(other)
+    locator.BuildLocator()
+    cell, place, number_of, part, square = vtkGenericCell(), [0.0] * 3, mutable(0), mutable(0), mutable(0.0)
+    largest = 0.0
+    for i in range(data.GetNumberOfPoints()):
+        locator.FindClosestPoint(data.GetPoint(i), place, cell, number_of, part, square)
+        largest = max(largest, float(square))
+    return largest ** 0.5
+
+
+def apart(old, new):
+    """(difference of the volumes in percent, largest distance as a part of the diagonal)"""
+    before, after = volume(old), volume(new)
+    return 100 * abs(after - before) / abs(before), max(farthest(old, new), farthest(new, old)) / old.GetLength()
 
 
 def number(text):
@@ -79,6 +134,8 @@ def write(options):
                     cli.run_proxy(node)
                     data = node.GetClientSideObject().GetOutputDataObject(0)
                     found[key] = [data.GetNumberOfPolys(), *digest(data)]
+                    if options.keep:
+                        keep(data, options.keep, key)
                 except cli.CommandError as error:
                     found[key] = ["refused", str(error).replace(path, name)]
                 print(key, found[key][0], file=sys.stderr, flush=True)
@@ -90,7 +147,7 @@ def write(options):
 
 def compare(options):
     old, new = (json.load(open(path, encoding="utf-8")) for path in (options.old, options.new))
-    same, different = 0, []
+    same, different, most = 0, [], [(0.0, ""), (0.0, "")]
     for key in sorted(set(old) | set(new)):
         a, b = old.get(key), new.get(key)
         if a is None or b is None:
@@ -98,12 +155,18 @@ def compare(options):
         elif a[:2] != b[:2]:
             different.append(f"{key}: {a[0]} triangles were, {b[0]} are; or other coordinates"
                              if "refused" not in (a[0], b[0]) else f"{key}: {a[:2]} was, {b[:2]} is")
+            if options.kept and "refused" not in (a[0], b[0]):
+                by = apart(kept(options.kept[0], key), kept(options.kept[1], key))
+                different[-1] += f"; volume by {by[0]:.2g}%, vertices by {by[1]:.2g} of the diagonal"
+                most = [max(known, (figure, key)) for known, figure in zip(most, by)]
         else:
             same += 1
             if a[2:] != b[2:]:
                 different.append(f"{key}: the same surface, another Report")
     print("\n".join(different))
     print(f"{same} surfaces the same to the last bit, {len(different)} lines above")
+    if options.kept:
+        print(f"at most: volume by {most[0][0]:.2g}% ({most[0][1]}), vertices by {most[1][0]:.2g} of the diagonal ({most[1][1]})")
     return 1 if different else 0
 
 
@@ -116,9 +179,11 @@ def main():
     writing.add_argument("--method", action="append", choices=["psm", "ism"])
     writing.add_argument("--set", action="append", default=[], metavar="PROPERTY=VALUE",
                          help="a property of the node, where it has it: to tell a default from a method")
+    writing.add_argument("--keep", metavar="FOLDER", help="write the surfaces there, too")
     comparing = commands.add_parser("compare")
     comparing.add_argument("old")
     comparing.add_argument("new")
+    comparing.add_argument("--kept", nargs=2, metavar="FOLDER", help="where `write --keep` left the surfaces of both")
     options = parser.parse_args()
     sys.exit(write(options) if options.command == "write" else compare(options))
 
