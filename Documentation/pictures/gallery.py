@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Render the gallery: twelve pictures of what the plugin makes, from the project's own data.
+"""Render the gallery, twelve pictures of what the plugin makes, and the stages of the methods (stages.py).
 
-    ./run gallery [FOLDER]     (default: Documentation/pictures/gallery)
+    ./run gallery [FOLDER [NAME ...]]     (default: Documentation/pictures/gallery)
 """
 import math
 import os
@@ -10,9 +10,12 @@ import sys
 
 from paraview import simple
 
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from stages import Stages
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 DATA = ROOT / "Data"
-SIZE = (720, 540)
+SIZE, STAGE_SIZE = (720, 540), (480, 420)
 INK, BONE, SKIN, RED, BLUE, GREEN, GOLD = ((0.08, 0.1, 0.25), (0.93, 0.88, 0.76), (0.93, 0.74, 0.68), (0.75, 0.16, 0.16),
                                            (0.27, 0.47, 0.74), (0.35, 0.6, 0.35), (0.85, 0.65, 0.2))
 
@@ -173,26 +176,28 @@ def pipe(view):
 
 SCENES = {"brain": brain, "head": head, "femur": femur, "tamarind": tamarind, "methods": methods, "caps": caps, "joins": joins,
           "tetrahedra": tetrahedra, "terrain": terrain, "cut_and_back": cut_and_back, "regions": regions, "pipe": pipe}
+SCENES.update(Stages(show, ring, loops).scenes())
 # Pictures that are wider than high have room above and below.
 ZOOM = {"brain": 1.25, "methods": 1.25, "caps": 1.1, "joins": 1.1, "cut_and_back": 1.25, "pipe": 1.2, "terrain": 1.2}
 
 
 def render(name, folder):
     view = simple.CreateView("RenderView")
-    view.ViewSize = list(SIZE)
     view.OrientationAxesVisibility = 0
     view.UseColorPaletteForBackground = 0
     view.Background = [1, 1, 1]
     view.UseFXAA = 1
+    size = STAGE_SIZE if name.startswith("stage_") else SIZE
+    view.ViewSize = list(size)
     direction = SCENES[name](view)
     view.CameraFocalPoint = [0, 0, 0]
     view.CameraPosition = list(direction)
     view.CameraViewUp = [0, 0, 1]
     simple.ResetCamera(view)
-    simple.GetActiveCamera().Zoom(ZOOM.get(name, 0.95))
+    simple.GetActiveCamera().Zoom(ZOOM.get(name, 1.3 if name.startswith("stage_") else 0.95))
     simple.Render(view)
     path = os.path.join(folder, name + ".png")
-    simple.SaveScreenshot(path, view, ImageResolution=list(SIZE), CompressionLevel="9")
+    simple.SaveScreenshot(path, view, ImageResolution=list(size), CompressionLevel="9")
     for proxy in list(simple.GetSources().values()):
         simple.Delete(proxy)
     simple.Delete(view)

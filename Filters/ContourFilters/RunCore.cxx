@@ -4,6 +4,7 @@
 #include "Base/Geometry.h"
 #include "Base/Monitor.h"
 #include "ContourConversion.h"
+#include "SurfaceSummaries.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCellData.h"
@@ -234,7 +235,8 @@ void FinishOutput(
   for (int a = 0; a < from->GetNumberOfArrays(); ++a)
   {
     vtkAbstractArray* array = from->GetAbstractArray(a);
-    if (array->GetName() && !to->HasArray(array->GetName()))
+    const char* name = array->GetName();
+    if (name && std::string(name) != SummaryName && !to->HasArray(name))
     {
       to->AddArray(array);
     }

@@ -3,6 +3,7 @@
 
 #include "ContourConversion.h"
 #include "SurfaceBlocks.h"
+#include "SurfaceSummaries.h"
 
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
@@ -77,12 +78,13 @@ std::string vtkContourAlgorithm::ReportOf(vtkAlgorithm* algorithm)
   {
     return {};
   }
+  std::string text = recon::SummariesOf(output);
   const std::vector<std::string> lines = LinesOf(output);
   if (lines.empty())
   {
-    return "Nothing was changed or left out.";
+    return text + "Nothing was changed or left out.";
   }
-  std::string text =
+  text +=
     lines.size() == 1 ? "One thing to know:" : std::to_string(lines.size()) + " things to know:";
   for (std::size_t i = 0; i < lines.size() && i < MostLines; ++i)
   {

@@ -7,6 +7,7 @@
 #include "Mesh/MeshDefects.h"
 #include "RunCore.h"
 #include "SurfaceBlocks.h"
+#include "SurfaceSummaries.h"
 #include "vtkContourMonitor.h"
 
 #include "vtkCellArray.h"
@@ -287,15 +288,11 @@ private:
   bool WithContours;
 };
 
-/// Regions of a structure set are in millimetres.
-bool IsInMillimetres(const Block& block)
-{
-  return block.Surface->GetFieldData()->HasArray("ROINumber") != 0;
-}
-
 bool AreInMillimetres(const std::vector<Block>& blocks)
 {
-  return !blocks.empty() && std::all_of(blocks.begin(), blocks.end(), IsInMillimetres);
+  return !blocks.empty() &&
+    std::all_of(blocks.begin(), blocks.end(),
+      [](const Block& block) { return recon::IsInMillimetres(block.Surface); });
 }
 
 /// A name that no other column has.

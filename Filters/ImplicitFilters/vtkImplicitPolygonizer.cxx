@@ -5,6 +5,7 @@
 #include "ImplicitData.h"
 #include "ImplicitOptions.h"
 #include "RunCore.h"
+#include "SurfaceSummaries.h"
 #include "vtkContourMonitor.h"
 
 #include "vtkInformation.h"
@@ -28,6 +29,7 @@ int vtkImplicitPolygonizer::RequestData(
       const recon::ImplicitMesh mesh = recon::Polygonize(
         function, recon::SeedsOf(function), recon::PolygonizerOptionsOf(this), meshing);
       recon::ToPolyData(mesh, output);
+      recon::AddSummary(mesh.Mesh, input, output);
       recon::FinishOutput(input, recon::JoinReports(input, mesh.Report), output);
     });
 }

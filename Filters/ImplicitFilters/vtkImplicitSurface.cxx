@@ -6,6 +6,7 @@
 #include "ImplicitData.h"
 #include "ImplicitOptions.h"
 #include "RunCore.h"
+#include "SurfaceSummaries.h"
 #include "vtkContourMonitor.h"
 
 #include "vtkInformation.h"
@@ -48,6 +49,7 @@ int vtkImplicitSurface::RequestData(
       recon::AddValue(figures, "MarginDistance", surface.Fit.Constraints.MarginDistance);
       recon::AddValue(
         figures, "ConstraintCount", static_cast<double>(surface.Fit.Function.Centres.size()));
+      recon::AddSummary(surface.Mesh.Mesh, input, output);
       recon::FinishOutput(input, surface.Report, output);
     });
 }

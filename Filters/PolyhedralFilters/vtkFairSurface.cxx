@@ -5,6 +5,7 @@
 #include "Fair/FairSurface.h"
 #include "FieldArrays.h"
 #include "RunCore.h"
+#include "SurfaceSummaries.h"
 #include "vtkContourMonitor.h"
 
 #include "vtkInformation.h"
@@ -76,6 +77,7 @@ int vtkFairSurface::RequestData(
         vtkWarningMacro(<< surface.LeftOut << " of " << contours.Contours.size()
                         << " contours are left out of the surface: its Report says why.");
       }
+      recon::AddSummary(surface.Mesh, input, output);
       recon::FinishOutput(input, report, output);
     });
 }

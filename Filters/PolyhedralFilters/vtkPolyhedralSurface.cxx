@@ -6,6 +6,7 @@
 #include "Polyhedral/LeftOut.h"
 #include "Polyhedral/PolyhedralSurface.h"
 #include "RunCore.h"
+#include "SurfaceSummaries.h"
 #include "vtkContourMonitor.h"
 
 #include "vtkCellData.h"
@@ -82,6 +83,7 @@ int vtkPolyhedralSurface::RequestData(
         vtkWarningMacro(<< leftOut << " of " << contours.Contours.size()
                         << " contours are left out of the surface: its Report says why.");
       }
+      recon::AddSummary(surface.Mesh, input, output);
       recon::FinishOutput(input, report, output);
     });
 }

@@ -79,17 +79,30 @@ void SetTexts(vtkSMProxy* proxy, const char* property, const std::vector<std::st
   }
 }
 
+/// Apply colours blocks by their number, and shows a legend of that, which says nothing where all have
+/// colours of their own; it does not where all blocks have one number.
+void LeaveOutBlockColors(vtkSMProxy* proxy)
+{
+  const char* name = "BlockColorsDistinctValues";
+  if (proxy->GetProperty(name))
+  {
+    vtkSMPropertyHelper(proxy, name).Set(1);
+  }
+}
+
 void ColorBlocks(vtkSMProxy* proxy, vtkSMSourceProxy* source, unsigned int port)
 {
   vtkDataAssembly* hierarchy = source->GetDataInformation(port)->GetHierarchy();
   std::vector<std::string> colors;
   std::vector<std::string> opacities;
+  bool allHaveColors = true;
   for (const int node : hierarchy->GetChildNodes(vtkDataAssembly::GetRootNode()))
   {
     const std::string selector = hierarchy->GetNodePath(node);
     vtkPVDataInformation* data = source->GetSubsetDataInformation(
       port, selector.c_str(), vtkDataAssemblyUtilities::HierarchyName());
     const Region region = data ? RegionIn(data) : Region();
+    allHaveColors = allHaveColors && region.HasColor;
     if (!region.HasColor)
     {
       continue;
@@ -106,6 +119,10 @@ void ColorBlocks(vtkSMProxy* proxy, vtkSMSourceProxy* source, unsigned int port)
   }
   SetTexts(proxy, "BlockColors", colors);
   SetTexts(proxy, "BlockOpacities", opacities);
+  if (allHaveColors && !colors.empty())
+  {
+    LeaveOutBlockColors(proxy);
+  }
 }
 
 /// A property that nobody has set since the representation was begun.

@@ -2,7 +2,8 @@
 """What can be said of a call before any work is done. Needs no ParaView."""
 import os
 
-from contouroptions import NO_CERTIFICATE, STRUCTURE_SET, SURFACE_FORMATS, UsageError, is_structure_set, outputs
+from contouroptions import (CONTOUR_FORMATS, NO_CERTIFICATE, STRUCTURE_SET, SURFACE_FORMATS, UsageError, is_contours, is_structure_set,
+                            outputs)
 
 
 def is_dicom(path):
@@ -31,9 +32,9 @@ def parse_offset(text):
 def check_output(path):
     """Say that the output cannot be written before the work is done, not after it."""
     extension = os.path.splitext(path)[1].lower()
-    if extension not in SURFACE_FORMATS + (STRUCTURE_SET,):
+    if extension not in SURFACE_FORMATS + (STRUCTURE_SET,) + CONTOUR_FORMATS:
         raise UsageError(f"{path}: cannot write '{extension}' files; surfaces are written to "
-                         f"{' '.join(SURFACE_FORMATS)}, contours to {STRUCTURE_SET}.")
+                         f"{' '.join(SURFACE_FORMATS)}, contours to {STRUCTURE_SET} {' '.join(CONTOUR_FORMATS)}.")
     check_folder(path)
 
 
@@ -57,7 +58,20 @@ def check_call(options):
     elif options.reference or options.extrapolate:
         raise UsageError("--reference and --extrapolate are for an RT structure set (.dcm), and "
                          f"{options.output} is none.")
+    if is_contours(options.output):
+        _check_conversion(options)
     parse_offset(options.offset)
+
+
+def _check_conversion(options):
+    """Nothing is made on the way, so nothing can be set or examined."""
+    for given, name in ((options.settings, "--set"), (options.offset, "--offset"),
+                        (options.certificate not in (None, NO_CERTIFICATE), "--certificate")):
+        if given:
+            raise UsageError(f"{name} is about surfaces, and {options.output} will hold the contours as they are.")
+    for path, output in zip(options.inputs, outputs(options)):
+        if os.path.exists(path) and os.path.exists(output) and os.path.samefile(path, output):
+            raise UsageError(f"{output} is read as well, and not overwritten; give another name.")
 
 
 def _check_contours_out(options):

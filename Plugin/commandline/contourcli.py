@@ -14,6 +14,7 @@ from paraview import simple
 # What scripts that use this module find here.
 from contourcommon import (CommandError, Notes, NothingToDo, ProgressBar, as_source, detached, load_plugin, new_node, note,  # noqa: F401
                            run_proxy, strings, values)
+from contourconvert import collection_of
 from contourinput import Contours, read_contours  # noqa: F401
 from contouroptions import METHODS, PARAVIEW_FORMATS, READERS, STRUCTURE_SET, SURFACE_FORMATS  # noqa: F401
 from contouroutput import output_paths, write_surface  # noqa: F401
@@ -133,12 +134,7 @@ class StructureSetWriter:
 
     def write(self):
         """Write all that was traced; the node leaves a whole file or none. What it has to say is printed."""
-        from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkPartitionedDataSetCollection
-        collection = vtkPartitionedDataSetCollection()
-        for i, block in enumerate(self.traced):
-            collection.SetPartition(i, 0, block.data)
-            collection.GetMetaData(i).Set(vtkCompositeDataSet.NAME(), block.name)
-        self.writer.Input = as_source(collection)
+        self.writer.Input = as_source(collection_of(self.traced))
         run_proxy(self.writer)
 
 

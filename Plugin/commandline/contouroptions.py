@@ -9,6 +9,7 @@ import os
 
 SURFACE_FORMATS = (".vtp", ".stl", ".ply", ".brep")
 STRUCTURE_SET = ".dcm"
+CONTOUR_FORMATS = (".cnt", ".csv")  # contours as they are
 READERS = {
     ".cnt": "NUAGESContourReader",
     ".csl": "CurveNetworkReader",
@@ -44,6 +45,7 @@ Examples:
   contour-reconstruct 'cohort/*/RS*.dcm' 'surfaces/{}.stl' --jobs 4 --summary cohort.json
   contour-reconstruct drawn.dcm all.dcm --method ism --roi Prostate
   contour-reconstruct slice1.svg slice2.svg slice3.svg solid.stl --stack --spacing 3
+  contour-reconstruct cell.mod cell.csv
   contour-reconstruct rtss.dcm --list
 
 Exit status: 0 all done (or nothing to do), 1 something failed and was named, 2 the options are wrong, 130 stopped by Ctrl-C."""
@@ -62,7 +64,8 @@ def make_parser():
                         help="IN: contours, " + " ".join(list(READERS) + list(PARAVIEW_FORMATS)) +
                              ", structure sets also without .dcm; several files, or patterns with * ? [] and ** in quotes. "
                              "OUT: a surface, " + " ".join(SURFACE_FORMATS) +
-                             "; or, of --method ism, contours on all slices as an RT structure set: .dcm")
+                             "; or, of --method ism, contours on all slices as an RT structure set: .dcm; "
+                             "or the contours as they are: " + " ".join(CONTOUR_FORMATS))
     parser.add_argument("--method", choices=sorted(METHODS), default="psm",
                         help="psm: polyhedral, exactly through parallel contours (default); "
                              "fair: as that, but smooth, within a tolerance of them; "
@@ -134,6 +137,10 @@ def parse(arguments):
     options.many = not options.stack and (
         len(options.inputs) > 1 or NAME in options.output or options.inputs != options.paths[:-1])
     return options
+
+
+def is_contours(path):
+    return os.path.splitext(path)[1].lower() in CONTOUR_FORMATS
 
 
 def is_structure_set(path):

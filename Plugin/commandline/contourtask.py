@@ -4,7 +4,8 @@ import contextlib
 
 import contourcli as cli
 from contourchecks import checked_reference, parse_offset
-from contouroptions import NO_CERTIFICATE, UsageError
+from contourconvert import write_contours
+from contouroptions import NO_CERTIFICATE, UsageError, is_contours
 
 
 def reading_of(options):
@@ -45,7 +46,9 @@ class Task:
             if any(block.nothing != "no contours" for block in blocks):
                 return  # points and open contours, which are nothing to be reconstructed
             raise cli.CommandError(f"{self.path} holds no contours.")
-        if self.reference:
+        if is_contours(self.output):
+            self._write_contours(filled)
+        elif self.reference:
             self._write_structure_set(filled)
         else:
             self._write_surfaces(filled, reading)
@@ -72,6 +75,21 @@ class Task:
             self.regions.append({"Name": block.name, "Status": "failed", "Error": failures.found[-1][1]})
         finally:
             bar.clear()
+
+    def _write_contours(self, blocks):
+        failures, rows, files = Failures(len(blocks), "file of contours"), [], []
+        for block, path, contours, error in write_contours(self.output, blocks):
+            if error:
+                failures.add(block.name, error)
+                self.regions.append({"Name": block.name, "Status": "failed", "Error": failures.found[-1][1]})
+                continue
+            rows.append([block.name, contours, block.data.GetNumberOfPoints()])
+            files += [path] if path not in files else []
+            self.regions.append({"Name": block.name, "Status": "done", "Output": path, "ContoursWritten": contours})
+        if rows:
+            self.say(cli.format_table(rows, ["", "contours", "points"]))
+            self.say("\nWritten: " + ", ".join(files))
+        failures.check()
 
     def _write_structure_set(self, blocks):
         options = self.options

@@ -11,7 +11,7 @@ import contouroptions
 
 SECTIONS = (
     ("FORMATS", "Read: {read}. Those that ParaView reads by itself: {others}. Surfaces are written to {written}; the "
-                "contours of all slices, by --method ism, to {contours}."),
+                "contours of all slices, by --method ism, to {contours}; contours as they are to {kept}."),
     ("SEVERAL FILES", "One that fails does not keep the others from being done: it is named at the end, and the exit status is 1. "
                       "Each file is worked on in a process that lives on for the next; one that ends in the middle costs its file. "
                       "--summary has an entry a file: File, Status (done, nothing, failed, not tried), Error, Notes, and Regions with "
@@ -40,7 +40,7 @@ def option(action):
 def page(version):
     parser = contouroptions.make_parser()
     about = {"read": " ".join(contouroptions.READERS), "others": " ".join(contouroptions.PARAVIEW_FORMATS),
-             "written": " ".join(contouroptions.SURFACE_FORMATS), "contours": contouroptions.STRUCTURE_SET}
+             "written": " ".join(contouroptions.SURFACE_FORMATS), "contours": contouroptions.STRUCTURE_SET, "kept": " ".join(contouroptions.CONTOUR_FORMATS)}
     ways = [line.strip() for line in contouroptions.USAGE.splitlines()]
     head, _, examples = contouroptions.EPILOG.partition("\n\nExamples:\n")
     examples, _, status = examples.partition("\n\nExit status: ")

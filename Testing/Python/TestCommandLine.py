@@ -74,6 +74,16 @@ reader.SetFileName(os.path.join(FOLDER, "plain.vtp"))
 reader.Update()
 ct.check(reader.GetOutput().GetNumberOfPolys() < with_points, "--set InternalPoints=0 leaves them out")
 
+# Contours as they are, from format to format: through a table nothing is lost.
+succeeds(pipe, "copy.cnt")
+told = succeeds(pipe, "pipe.csv")
+ct.check("pipe.csv" in told, f"the table is named: {told}")
+succeeds("pipe.csv", "back.cnt")
+with open(os.path.join(FOLDER, "copy.cnt"), "rb") as one, open(os.path.join(FOLDER, "back.cnt"), "rb") as other:
+    ct.check(one.read() == other.read(), "by way of a table comes the same file")
+fails("not overwritten", "pipe.csv", "pipe.csv")
+fails("--set is about surfaces", pipe, "set.csv", "--set", "EndCaps=Flat")
+
 # Contours on planes of any orientation are the implicit method's.
 table = succeeds(pipe, "fair.vtp", "--method", "fair", "--set", "Tension=0.3")
 ct.check(os.path.getsize(os.path.join(FOLDER, "fair.vtp")) > 1000, "fair.vtp is written")

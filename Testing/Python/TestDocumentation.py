@@ -91,10 +91,18 @@ for page in PAGES:
         ct.check(data_of(names, "solid").GetNumberOfCells() > 100, "terrain becomes a solid")
         volume = data_of(names, "again").GetFieldData().GetArray("Volume").GetValue(0)
         ct.check(abs(volume - math.pi / 6) < 0.02, f"the ball comes back: {volume}")
+        ct.check(len(names["volumes"]) == 6, f"the loop knows {names['volumes']}")
+        boundary = simple.SurfaceCertificate(Input=simple.PolyhedralSurface(Input=names["tetrahedra"].Input))
+        boundary.UpdatePipeline()
+        inside = simple.IntegrateVariables(Input=names["solid"], DivideCellDataByVolume=0)
+        inside.UpdatePipeline()
+        tetrahedra = inside.GetClientSideObject().GetOutputDataObject(0).GetCellData().GetArray("Volume").GetValue(0)
+        solid = boundary.GetClientSideObject().GetOutputDataObject(0).GetFieldData().GetArray("Volume").GetValue(0)
+        ct.check(abs(tetrahedra - solid) < 1e-3 * solid, f"tetrahedra of {tetrahedra} within a surface of {solid}")
         regions = data_of(names, "by_slice").GetNumberOfPartitionedDataSets()
         ct.check(regions == 5, f"there are {regions} regions")
 for file in ("organs-Body.stl", "organs-Lt_Lung.stl", "lung.stl", "surfaces/anna-Body.stl", "cohort.json", "all.dcm", "cell.vtp",
-             "brain.stl", "head.vtp"):
+             "brain.stl", "head.vtp", "solid.vtu"):
     ct.check(os.path.exists(file), f"{file} is written")
 ct.check(blocks >= 12, f"only {blocks} blocks were found")
 ct.finish()

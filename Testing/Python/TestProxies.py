@@ -11,6 +11,22 @@ import contourtesting as ct
 
 simple = ct.load_plugin()
 from paraview import servermanager
+from paraview.modules.vtkRemotingServerManager import vtkSMOrderedPropertyIterator
+
+
+
+def panel_of(made):
+    """The properties that a panel shows before its gear is pressed, in their order."""
+    each = vtkSMOrderedPropertyIterator()
+    each.SetProxy(made)
+    each.Begin()
+    names = []
+    while not each.IsAtEnd():
+        if each.GetProperty().GetPanelVisibility() == "default":
+            names.append(each.GetKey())
+        each.Next()
+    return names
+
 
 manager = servermanager.ProxyManager().SMProxyManager
 
@@ -43,6 +59,9 @@ for path in files:
             proxy.UpdateVTKObjects()
             ct.check(proxy.GetVTKClassName() == element.get("class"), f"{where} makes its class")
             ct.check(proxy.GetClientSideObject() is not None, f"{where} makes a VTK object")
+            # What it said is not in the way of what is to be chosen.
+            shown = panel_of(proxy)
+            ct.check("Report" not in shown or shown[-1] == "Report", f"{where} has its Report last: {shown}")
             for prop in element.iter():
                 if not prop.tag.endswith("Property") or prop.get("is_internal") == "1":
                     continue

@@ -5,7 +5,7 @@ import math
 import contourtesting as ct
 
 simple = ct.load_plugin()
-from vtkmodules.vtkCommonCore import vtkPoints, vtkStringArray
+from vtkmodules.vtkCommonCore import vtkIntArray, vtkPoints, vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPartitionedDataSetCollection, vtkPolyData
 
 POLYHEDRAL = (simple.ContourTriangulation, simple.JointVoronoiDiagram, simple.PolyhedralSurface)
@@ -183,24 +183,48 @@ node = simple.PolyhedralSurface(Input=producer(apart), IsolatedContours="Drop", 
 said = ct.errors_of(node.UpdatePipeline)
 ct.check(said.count("No surface came out") == 1, f"an empty surface is an error: {said!r}")
 
-# Report as the panel shows it: of one input and of a collection, a summary first.
+# Report as the panel shows it: what each surface is worth, how much there is to know, and what.
+def panel(node):
+    node.UpdatePropertyInformation()
+    return node.GetProperty("Report").GetData().splitlines()
+
+
+SURFACES = (simple.PolyhedralSurface, simple.ImplicitSurface)
 for kind in FROM_CONTOURS:
     node, said = run(kind, GOOD)
-    node.UpdatePropertyInformation()
-    clean = node.GetProperty("Report").GetData()
-    ct.check(lines(output(node)) or clean == "Nothing was changed or left out.", f"{kind.__name__} reports {clean!r}")
+    shown = panel(node)
+    if kind in SURFACES:
+        figures = simple.SurfaceCertificate(Input=node)
+        figures.UpdatePipeline()
+        volume = output(figures).GetFieldData().GetArray("Volume").GetValue(0)
+        word, _, number = shown.pop(0).partition(", volume ")
+        ct.check(word == "closed" and abs(float(number) - volume) < 1e-5 * volume,
+                 f"{kind.__name__} says {word}, {number}, and the certificate {volume}")
+    ct.check(lines(output(node)) or shown == ["Nothing was changed or left out."], f"{kind.__name__} reports {shown!r}")
+    ct.check(kind in SURFACES or not output(node).GetFieldData().HasArray("Summary"), f"{kind.__name__} is no surface")
 odd = ct.closed_polylines([ring(z) for z in (0, 2, 4)] + [[(0, 0, 6), (1, 0, 6)]])
 node, _ = run(simple.PolyhedralSurface, odd)
-node.UpdatePropertyInformation()
-shown = node.GetProperty("Report").GetData()
-ct.check(shown.splitlines()[0].endswith("to know:") and lines(output(node)) and " ".join(" ".join(shown.splitlines()[1:]).split()) == "- " + " - ".join(lines(output(node))),
-         f"the panel shows {shown!r}")
+shown = panel(node)
+ct.check(shown[0].startswith("closed, ") and shown[1].endswith("to know:") and lines(output(node)) and
+         " ".join(" ".join(shown[2:]).split()) == "- " + " - ".join(lines(output(node))), f"the panel shows {shown!r}")
+node = simple.PolyhedralSurface(Input=producer(GOOD), EndCaps="None")
+node.UpdatePipeline()
+ct.check(panel(node)[0] == "open (48 open edges), no volume", f"an open surface is said to be {panel(node)[0]!r}")
+again = simple.ContourHierarchy(Input=simple.FeatureEdges(Input=node))
+again.UpdatePipeline()
+ct.check(not output(again).GetFieldData().HasArray("Summary"), "what is made of a surface has not its summary")
 collection = vtkPartitionedDataSetCollection()
 for i, (name, data) in enumerate((("Heart", odd), ("Lung", GOOD))):
     collection.SetPartition(i, 0, data)
     collection.GetMetaData(i).Set(collection.NAME(), name)
+    number = vtkIntArray()
+    number.SetName("ROINumber")
+    number.SetNumberOfTuples(1)
+    data.GetFieldData().AddArray(number)
 node, _ = run(simple.PolyhedralSurface, collection)
-node.UpdatePropertyInformation()
-shown = node.GetProperty("Report").GetData()
-ct.check("- Heart: " in shown and "Lung: " not in shown, f"of a collection the panel shows {shown!r}")
+shown = panel(node)
+ct.check(shown[0].startswith("Heart: closed, ") and shown[1].startswith("Lung: closed, ") and shown[1].endswith(" cm3"),
+         f"of a collection the panel shows {shown!r}")
+told = "\n".join(shown[2:])
+ct.check("- Heart: " in told and "Lung: " not in told, f"of a collection the panel shows {shown!r}")
 ct.finish()

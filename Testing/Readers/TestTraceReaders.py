@@ -95,11 +95,35 @@ def check(reader, names, size, unit, where):
     ct.check(abs(found - size) < 1e-6 * size, f"{where} has the volume {found} instead of {size}")
 
 
+def all_points(reader):
+    """By object its contours, each as its points from the smallest one on."""
+    found = {}
+    for name, data in rt.blocks(ct.data(reader)):
+        loops = []
+        for i in range(data.GetNumberOfCells()):
+            points = [data.GetCell(i).GetPoints().GetPoint(k) for k in range(data.GetCell(i).GetNumberOfPoints() - 1)]
+            first = points.index(min(points))
+            loops.append(points[first:] + points[:first])
+        found[name] = loops
+    return found
+
+
+def check_round_trip(reader, unit, where):
+    """What Contour Table Writer writes Contour Table Reader reads, to the last bit."""
+    copy = os.path.join(FOLDER, "copy.csv")
+    writer = simple.ContourTableWriter(Input=reader, FileName=copy)
+    ct.check("ERR" not in ct.errors_of(writer.UpdatePipeline), f"{where} is written as a table")
+    again = simple.ContourTableReader(FileName=copy)
+    ct.check(all_points(again) == all_points(reader), f"{where} comes back from a table")
+    ct.check("".join(rt.strings(rt.blocks(ct.data(again))[0][1], "LengthUnit")) == unit, f"{where} keeps its unit")
+
+
 for path, (reader, names, size, unit) in FILES.items():
     node = reader(FileName=path)
     if reader in (simple.ImageJROIReader, simple.ContourTableReader):
         node.SliceSpacing = 2.0
     check(node, names, size, unit, os.path.basename(path))
+    check_round_trip(node, unit, os.path.basename(path))
     opened = simple.OpenDataFile(path)
     ct.check(opened is not None and opened.GetXMLName() == node.GetXMLName() or path.endswith(".csv"),
              f"{path} is opened by {opened.GetXMLName() if opened else None}")
@@ -109,6 +133,14 @@ for path, (reader, names, size, unit) in FILES.items():
     if not path.endswith((".ser", ".csv")):
         cut = write("cut" + os.path.splitext(path)[1], whole[:2 * len(whole) // 3])
         rt.expect_error(reader(FileName=cut), "Cannot read", f"{os.path.basename(path)} cut short")
+
+# What is no structure set and not in millimetres has no cm3.
+model = simple.IMODModelReader(FileName=os.path.join(FOLDER, "model.mod"))
+certificate = simple.SurfaceCertificate(Input=simple.PolyhedralSurface(Input=model, EndCaps="Flat"))
+certificate.UpdatePipeline()
+certificate.UpdatePropertyInformation()
+told = certificate.GetProperty("Verdict").GetElement(0)
+ct.check(told.startswith("box: sound, volume 2560"), f"a model in nm has the volume {told}")
 
 drawings = simple.SVGContourReader(FileNames=[write(f"slice{n}.svg", drawing(3)) for n in range(4)], SliceSpacing=2.0)
 check(drawings, ["slice0"], 3 * 3 * 6, "mm", "four drawings")

@@ -375,7 +375,7 @@ ContourMapping BuildContourMapping(
   }
   ParallelFor(static_cast<int>(mappers.size()), options.Threads,
     [&mappers](int slab) { mappers[slab].MapOverlaps(); }, monitor,
-    { 0.0, 0.9, "mapping regions" });
+    { 0.0, 0.9, "choosing what is joined" });
   JoinLonelyRegions(contours, mapping, mappers);
   for (SlabMapper& mapper : mappers)
   {
@@ -386,10 +386,10 @@ ContourMapping BuildContourMapping(
     std::move(mapper.Joins.begin(), mapper.Joins.end(), std::back_inserter(mapping.Joins));
     std::move(mapper.Report.begin(), mapper.Report.end(), std::back_inserter(mapping.Report));
   }
-  monitor.Update(0.95, "grouping regions");
+  monitor.Update(0.95, "grouping contours");
   mapping.Groups = FilterRedundantGroups(
     FilterInternalWalls(FormMappingGroups(mapping, contours), mapping), contours);
-  monitor.Update(1, "grouping regions");
+  monitor.Update(1, "grouping contours");
   return mapping;
 }
 }

@@ -116,7 +116,7 @@ public:
     const auto count = static_cast<double>(grouping.Planes.size());
     for (std::size_t i = 0; i < grouping.Planes.size(); ++i)
     {
-      this->Progress.Update(0.3 + 0.7 * static_cast<double>(i) / count, "resolving contours");
+      this->Progress.Update(0.3 + 0.7 * static_cast<double>(i) / count, "cleaning contours");
       this->AddLevel(grouping.Planes[i]);
     }
     std::optional<PlanarFrame> common;
@@ -134,7 +134,7 @@ public:
       this->Set.Report.insert(this->Set.Report.begin(), this->Set.Warning);
     }
     this->ThrowWhereEmpty();
-    this->Progress.Update(1, "resolving contours");
+    this->Progress.Update(1, "cleaning contours");
     return std::move(this->Set);
   }
 

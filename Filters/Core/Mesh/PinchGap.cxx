@@ -297,7 +297,7 @@ private:
     // Every round takes a trial from a move, and each has only so many.
     while (!toLookAt.empty())
     {
-      this->Observer.Update(0.97, "opening pinches");
+      this->Observer.Update(0.97, "parting sheets that touch");
       const std::vector<int> wrong = this->MovesThatCross(tree, toLookAt);
       toLookAt.clear();
       for (int m : wrong)

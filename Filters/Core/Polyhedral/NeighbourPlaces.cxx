@@ -41,7 +41,7 @@ std::vector<NeighbourPlaces> LocateInNeighbours(const std::vector<LevelState>& l
 {
   std::vector<NeighbourPlaces> places(levels.size());
   // By the level that is asked: no two threads may ask one triangulation.
-  runner.ForAll(levels.size(), progress, progress, "lifting internal points",
+  runner.ForAll(levels.size(), progress, progress, "shaping branches and ends",
     [&](std::size_t i)
     {
       if (i > 0)

@@ -77,7 +77,7 @@ public:
 private:
   void TriangulateLevels()
   {
-    this->Runner.ForAll(this->Levels.size(), 0, 0.3, "triangulating levels",
+    this->Runner.ForAll(this->Levels.size(), 0, 0.3, "triangulating slices",
       [&](int i)
       { this->Levels[i].Triangulator = std::make_unique<LevelTriangulator>(this->Contours, i); });
   }
@@ -93,7 +93,7 @@ private:
     std::vector<std::vector<Point2>> skeletons(this->Levels.size());
     if (this->Options.InternalPoints)
     {
-      this->Runner.ForAll(this->Levels.size(), 0.3, 0.35, "tracing Voronoi skeletons",
+      this->Runner.ForAll(this->Levels.size(), 0.3, 0.35, "finding the middle of gaps",
         [&](int i)
         {
           LevelState& level = this->Levels[i];
@@ -104,7 +104,7 @@ private:
           }
         });
     }
-    this->Runner.ForAll(this->Levels.size(), 0.35, 0.5, "inserting internal points",
+    this->Runner.ForAll(this->Levels.size(), 0.35, 0.5, "adding points where branches meet",
       [&](std::size_t i)
       {
         auto& triangulator = *this->Levels[i].Triangulator;
@@ -140,7 +140,7 @@ private:
 
   void JoinDiagrams(double from, double to)
   {
-    this->Runner.ForAll(this->Slabs.size(), from, to, "joining Voronoi diagrams",
+    this->Runner.ForAll(this->Slabs.size(), from, to, "filling the space between slices",
       [&](int i)
       {
         const LevelState& lower = this->Levels[i];
@@ -189,7 +189,7 @@ private:
 
   void LiftPoints(double from, double to)
   {
-    this->Runner.ForAll(this->Levels.size(), from, from, "lifting internal points",
+    this->Runner.ForAll(this->Levels.size(), from, from, "shaping branches and ends",
       [&](int i)
       {
         LevelState& level = this->Levels[i];
@@ -202,7 +202,7 @@ private:
           this->DiagramOrNull(i), this->Options.IsolatedContours == PolyhedralOptions::Extrude);
       });
     FindPointsOutsideNeighbours(this->Levels, this->Runner, from);
-    this->Runner.ForAll(this->Slabs.size(), from, to, "lifting internal points",
+    this->Runner.ForAll(this->Slabs.size(), from, to, "shaping branches and ends",
       [&](int i)
       {
         if (this->MayHaveChanged(i))
@@ -303,7 +303,7 @@ private:
         const bool partialEnds = first && this->RoundsOffPartialEnds();
         const EndsOfSlabs ends =
           partialEnds ? this->FindPartialEndsOfSlabs(progress) : EndsOfSlabs();
-        this->Runner.ForAll(this->Levels.size(), progress, progress, "covering bare parts",
+        this->Runner.ForAll(this->Levels.size(), progress, progress, "covering what is bare",
           [&](int i)
           {
             const bool anyEnds = partialEnds && this->AddPartialEnds(i, ends);

@@ -197,7 +197,7 @@ ConstraintSet BuildInPlaneConstraints(
     AppendCorners(contours, margins, set);
   }
   ResolveNearConstraints(set);
-  monitor.Update(1, "placing the margins");
+  monitor.Update(1, "telling inside from outside");
   return set;
 }
 }

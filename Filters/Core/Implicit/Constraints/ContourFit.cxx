@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Implicit/Constraints/ContourFit.h"
 
-#include "Base/SubMonitor.h"
+#include "Base/NamedMonitor.h"
 #include "Base/Text.h"
 #include "Implicit/Constraints/ContourResampling.h"
 #include "Implicit/Constraints/ContourTips.h"
@@ -64,7 +64,7 @@ public:
 
   void Run(Monitor& monitor)
   {
-    SubMonitor fitting(monitor, 0, 0.15);
+    NamedMonitor fitting(monitor, 0, 0.15, "fitting the contours");
     MarginFit first(
       this->Result.Contours, this->Result.Constraints, this->Unit, this->Function, fitting);
     this->Take(first);

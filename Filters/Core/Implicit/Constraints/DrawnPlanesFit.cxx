@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Implicit/Constraints/DrawnPlanesFit.h"
 
-#include "Base/SubMonitor.h"
+#include "Base/NamedMonitor.h"
 #include "Base/Text.h"
 #include "Implicit/Constraints/DrawnSections.h"
 #include "Implicit/Constraints/NearConstraints.h"
@@ -46,8 +46,8 @@ public:
         asked.Contour.push_back(-1);
       }
       added += wrong.Places.size();
-      SubMonitor fitting(monitor, static_cast<double>(round) / MostRounds,
-        static_cast<double>(round + 1) / MostRounds);
+      NamedMonitor fitting =
+        NamedMonitor::Pass(monitor, round, MostRounds, "following the drawn planes, at most");
       this->Fit(asked, fitting);
       wrong = this->Compare(round + 1, fitting);
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Implicit/Constraints/LeftOutSlices.h"
 
-#include "Base/SubMonitor.h"
+#include "Base/NamedMonitor.h"
 #include "Contours/ContourSubset.h"
 #include "Implicit/Constraints/ContourTips.h"
 #include "Implicit/FastMultipole/FunctionEvaluator.h"
@@ -18,6 +18,20 @@ constexpr int LeaveOutEvery = 3;
 constexpr std::size_t MostConstraintsForAllTurns = 12000;
 /// Differences below this part of the gap between the contours decide nothing.
 constexpr double TieOfGap = 0.01;
+
+const char* NameOf(MarginWay way)
+{
+  switch (way)
+  {
+    case MarginWay::Turned:
+      return "trying margins that turn with the surface";
+    case MarginWay::Valued:
+      return "trying margins that know how oblique it is";
+    case MarginWay::Reaching:
+      break;
+  }
+  return "trying margins that reach across steps";
+}
 
 /// The contours of the levels that are, or are not, left out in a turn.
 ContourSet Part(const ContourSet& contours, int turn, bool leftOut)
@@ -74,7 +88,8 @@ LeftOutSlices::LeftOutSlices(const ContourSet& contours, const ConstraintOptions
     {
       continue;
     }
-    SubMonitor fitting(monitor, static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
+    NamedMonitor fitting = NamedMonitor::Pass(monitor, static_cast<std::size_t>(i),
+      static_cast<std::size_t>(count), "fitting with slices left out");
     const ConstraintSet inPlane = BuildInPlaneConstraints(seen, this->Constraints, fitting);
     MarginFit first(seen, inPlane, false, this->Function, fitting);
     std::vector<double> misses = Misses(first.Function(), unseen, this->Function.Threads, fitting);
@@ -102,11 +117,9 @@ std::vector<double> LeftOutSlices::MissesOf(const Turn& turn, MarginWay way, Mon
 SliceVotes LeftOutSlices::Judge(MarginWay way, Monitor& monitor) const
 {
   SliceVotes votes;
-  const double all = static_cast<double>(this->Turns.size());
   for (std::size_t t = 0; t < this->Turns.size(); ++t)
   {
-    const double at = static_cast<double>(t);
-    SubMonitor fitting(monitor, at / all, (at + 1) / all);
+    NamedMonitor fitting = NamedMonitor::Pass(monitor, t, this->Turns.size(), NameOf(way));
     const std::vector<double> misses = this->MissesOf(this->Turns[t], way, fitting);
     const std::vector<double>& plain = this->Turns[t].Misses;
     for (std::size_t i = 0; i < plain.size(); ++i)

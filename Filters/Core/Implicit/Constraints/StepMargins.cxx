@@ -150,7 +150,7 @@ void ReachAcrossSteps(
   std::size_t i = 0;
   for (const Level& level : contours.Levels)
   {
-    monitor.Update(static_cast<double>(i) / margins.size(), "placing the margins");
+    monitor.Update(static_cast<double>(i) / margins.size(), "telling inside from outside");
     for (const int c : level.Contours)
     {
       for (const int vertex : contours.Contours[c].Points)

@@ -116,7 +116,7 @@ std::vector<VertexMargins> PlaceMargins(
   const int levels = static_cast<int>(contours.Levels.size());
   for (int level = 0; level < levels; ++level)
   {
-    monitor.Update(static_cast<double>(level) / levels, "placing the margins");
+    monitor.Update(static_cast<double>(level) / levels, "telling inside from outside");
     const LevelMargins margins(contours, level, distance);
     for (const int c : contours.Levels[level].Contours)
     {

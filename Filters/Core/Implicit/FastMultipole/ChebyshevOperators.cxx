@@ -418,7 +418,7 @@ void ChebyshevOperators::Compute(int threads, Monitor& monitor)
       this->Far[c] =
         Compress(FarFieldMatrix(this->P, CanonicalOffsets()[c], table), Negligible(this->P, c));
     },
-    monitor, { 0, 1, "preparing sums of kernels" });
+    monitor, { 0, 1, "preparing the evaluation" });
 }
 
 void ChebyshevOperators::TakeFrom(const ChebyshevOperators& higher)

@@ -42,7 +42,7 @@ Block Load(const Point3* points, std::size_t count)
 
 /// Points that one thread takes at a time; any number gives the same sums.
 constexpr std::size_t PointsPerPiece = 64;
-constexpr const char* Stage = "summing kernels";
+constexpr const char* Stage = "evaluating the fit";
 
 using Sums = std::array<double, Lanes>;
 

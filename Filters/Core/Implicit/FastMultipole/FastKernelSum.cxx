@@ -31,7 +31,7 @@ constexpr int BoxesPerPiece = 32;
 /// Points of one leaf that are summed in one go.
 constexpr std::int32_t PointsPerRun = 256;
 
-constexpr const char* Stage = "summing kernels";
+constexpr const char* Stage = "evaluating the fit";
 
 /// Blocks side by side where there are enough of them to be worth a thread.
 template <typename Body>

@@ -192,7 +192,7 @@ public:
   {
     this->N = static_cast<Index>(problem.Points.size());
     this->A.resize(this->N, this->N);
-    FillKernels(problem, true, this->A, monitor, { 0, 0.15, "filling the matrix" });
+    FillKernels(problem, true, this->A, monitor, { 0, 0.15, "preparing the fit" });
     this->QR.compute(PolynomialsOf(problem.Points));
     for (int k = 0; k < 4; ++k)
     {
@@ -200,7 +200,7 @@ public:
     }
     const int m = static_cast<int>(this->N) - 4;
     return CholeskyInSteps(this->A.data() + 4 + 4 * this->N, m, static_cast<int>(this->N), monitor,
-      { 0.25, 1, "solving for the weights" });
+      { 0.25, 1, "fitting" });
   }
 
   RbfSolution Solve(const std::vector<double>& h) const override
@@ -232,7 +232,7 @@ private:
   /// A := H A H with the k-th reflector of P, on the lower triangle only.
   void Reflect(int k, int threads, Monitor& monitor)
   {
-    const ProgressRange range{ 0.15 + 0.025 * k, 0.15 + 0.025 * (k + 1), "projecting the matrix" };
+    const ProgressRange range{ 0.15 + 0.025 * k, 0.15 + 0.025 * (k + 1), "preparing the fit" };
     VectorXd v = VectorXd::Zero(this->N);
     v[k] = 1;
     v.tail(this->N - k - 1) = this->QR.matrixQR().col(k).tail(this->N - k - 1);
@@ -282,14 +282,14 @@ public:
     const Index n = static_cast<Index>(problem.Points.size());
     this->A.resize(n + 4, n + 4); // not set to zero: that alone takes a second where it is large
     this->A.bottomRightCorner(4, 4).setZero();
-    FillKernels(problem, false, this->A, monitor, { 0, 0.15, "filling the matrix" });
+    FillKernels(problem, false, this->A, monitor, { 0, 0.15, "preparing the fit" });
     const MatrixXd p = PolynomialsOf(problem.Points);
     this->A.topRightCorner(n, 4) = p;
     this->A.bottomLeftCorner(4, n) = p.transpose();
     this->Pivots.resize(n + 4);
     const int size = static_cast<int>(n) + 4;
     return LUInSteps(
-      this->A.data(), this->Pivots.data(), size, monitor, { 0.15, 1, "solving for the weights" });
+      this->A.data(), this->Pivots.data(), size, monitor, { 0.15, 1, "fitting" });
   }
 
   RbfSolution Solve(const std::vector<double>& h) const override

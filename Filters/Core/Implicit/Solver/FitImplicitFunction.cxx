@@ -81,7 +81,7 @@ Constraints MergeDuplicates(const std::vector<Point3>& points, const std::vector
   {
     if (i % PointsPerUpdate == 0)
     {
-      monitor.Update(0, "merging constraints in one place");
+      monitor.Update(0, "preparing the fit");
     }
     if (taken[i])
     {
@@ -535,7 +535,7 @@ ImplicitFunction FitImplicitFunction(const std::vector<Point3>& points,
     function.Report.push_back("The function misses a constraint by " + Text(function.Residual) +
       ": the system is ill-conditioned; merge near points or enlarge the margin distance.");
   }
-  monitor.Update(1, "solving for the weights");
+  monitor.Update(1, "fitting");
   return function;
 }
 }

@@ -14,7 +14,7 @@ namespace recon
 {
 namespace
 {
-constexpr const char* Stage = "preparing the solver";
+constexpr const char* Stage = "preparing the fit";
 constexpr int Simplex = MaximinOrder::Simplex;
 constexpr int GroupsPerPiece = 8;     ///< of parallel work
 constexpr int GroupsPerUpdate = 1024; ///< between looks at the progress and for an abort
@@ -414,7 +414,7 @@ std::vector<double> InverseCholesky::Apply(
         }
       }
     },
-    monitor, { 0, 0.5, "solving for the weights" });
+    monitor, { 0, 0.5, "fitting" });
 
   std::vector<double> weights(n);
   ParallelFor(PiecesOf(n, RowsPerPiece), this->Options.Threads,
@@ -431,7 +431,7 @@ std::vector<double> InverseCholesky::Apply(
         weights[i] = sum;
       }
     },
-    monitor, { 0.5, 1, "solving for the weights" });
+    monitor, { 0.5, 1, "fitting" });
   for (std::size_t i = Simplex; i < n; ++i)
   {
     for (int a = 0; a < Simplex; ++a)

@@ -208,7 +208,7 @@ private:
   double Tolerance;
   double First = 0;
   double Fraction = 0;
-  char Stage[96] = "solving for the weights";
+  char Stage[96] = "fitting";
 };
 
 /// All vectors here are by rank.

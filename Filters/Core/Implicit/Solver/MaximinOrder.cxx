@@ -11,7 +11,7 @@ namespace recon
 {
 namespace
 {
-constexpr const char* Stage = "ordering the constraints";
+constexpr const char* Stage = "preparing the fit";
 constexpr int PointsPerLeaf = 12;    ///< of the tree that neighbours are looked up in
 constexpr int RanksPerUpdate = 4096; ///< between looks at the progress and for an abort
 

@@ -16,9 +16,9 @@ public:
   bool Factorise(const RbfProblem& problem, Monitor& monitor)
   {
     const Matrix a = Fill(problem, monitor);
-    monitor.Update(0.3, "solving for the weights");
+    monitor.Update(0.3, "fitting");
     this->Factors.compute(a);
-    monitor.Update(1, "solving for the weights");
+    monitor.Update(1, "fitting");
     return this->Factors.info() == Eigen::Success;
   }
 
@@ -47,7 +47,7 @@ private:
         });
       if (j % 64 == 0)
       {
-        monitor.Update(0.3 * j / n, "filling the matrix");
+        monitor.Update(0.3 * j / n, "preparing the fit");
       }
     }
     Matrix a(n, n);

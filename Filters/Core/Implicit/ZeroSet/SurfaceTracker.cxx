@@ -19,7 +19,7 @@ SurfaceTracker::SurfaceTracker(const BoundedField& field, const Lattice& lattice
   : Field(field),
     Cells(lattice)
 {
-  monitor.Update(0, "tracking the surface");
+  monitor.Update(0, "following the surface");
   CubeList wave = this->SeedCubes(seeds);
   // How far the end is cannot be known: the bar nears its end as the waves grow smaller.
   while (!wave.empty())
@@ -34,7 +34,7 @@ SurfaceTracker::SurfaceTracker(const BoundedField& field, const Lattice& lattice
     }
     const double done = static_cast<double>(this->Active.size());
     monitor.Update(
-      done / (done + 8.0 * static_cast<double>(wave.size()) + 1), "tracking the surface");
+      done / (done + 8.0 * static_cast<double>(wave.size()) + 1), "following the surface");
   }
   if (this->Active.empty())
   {
@@ -55,7 +55,7 @@ SurfaceTracker::SurfaceTracker(const BoundedField& field, const Lattice& lattice
       this->ActiveKeys.insert(Lattice::Key(cube));
     }
   }
-  monitor.Update(1, "tracking the surface");
+  monitor.Update(1, "following the surface");
 }
 
 void SurfaceTracker::PushNew(const LatticeIndex& cube, CubeList& list)
