@@ -288,8 +288,7 @@ public:
     this->A.bottomLeftCorner(4, n) = p.transpose();
     this->Pivots.resize(n + 4);
     const int size = static_cast<int>(n) + 4;
-    return LUInSteps(
-      this->A.data(), this->Pivots.data(), size, monitor, { 0.15, 1, "fitting" });
+    return LUInSteps(this->A.data(), this->Pivots.data(), size, monitor, { 0.15, 1, "fitting" });
   }
 
   RbfSolution Solve(const std::vector<double>& h) const override
