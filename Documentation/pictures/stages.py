@@ -78,7 +78,7 @@ class Stages:
 
     def constraints(self, view):
         """Margins: inside gold, outside blue; contour points red."""
-        stage = simple.ImplicitConstraints(Input=self.make(), MarginDistance=0.07, ThinOut=0, FillLongEdges=0)
+        stage = simple.ImplicitConstraints(Input=self.make(), MarginDistance=0.07, ThinOut=0, FillLongEdges=0, FollowDrawnPlanes=0)
         for kind, colour in ((0, RED), (1, GOLD), (-1, BLUE)):
             points = simple.Threshold(Input=stage, Scalars=["POINTS", "Kind"], LowerThreshold=kind, UpperThreshold=kind)
             self.show(view, points, colour, style="Points")

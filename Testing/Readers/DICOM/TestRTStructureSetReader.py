@@ -88,6 +88,13 @@ for name in ("ContourHierarchy", "ContourMapping", "ContourTriangulation", "Join
     ct.check("points only" in rt.strings(blocks["Isocentre"], "Report")[-1], f"{name} does not report it")
     ct.check(blocks["Organ"].GetNumberOfPoints() > 0, f"{name} makes nothing of the organ")
 
+# What the page on structure sets tells instead of servermanager.Fetch, which ParaView 5.11 fails at.
+drawn = simple.DICOMRTStructureSetReader(FileName=rt.write("fetched.dcm", SET))
+drawn.UpdatePipeline()
+regions = drawn.GetClientSideObject().GetOutputDataObject(0)
+first = regions.GetPartition(0, 0)
+ct.check(first.GetNumberOfLines() == 2 and rt.strings(first, "ROIName") == ["Lt Lung"], "a script reaches a region's contours")
+
 # A malformed contour costs that contour: a line in the report of its block, and of all.
 for name, content, part in [
         ("nan.dcm", SET.replace(b"3.5", b"nan"), "expected a number"),

@@ -47,7 +47,7 @@ public:
       }
       added += wrong.Places.size();
       NamedMonitor fitting =
-        NamedMonitor::Pass(monitor, round, MostRounds, "following the drawn planes, at most");
+        NamedMonitor::Pass(monitor, round, MostRounds, "following the drawn planes");
       this->Fit(asked, fitting);
       wrong = this->Compare(round + 1, fitting);
     }
