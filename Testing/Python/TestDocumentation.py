@@ -92,7 +92,8 @@ for page in PAGES:
         volume = data_of(names, "again").GetFieldData().GetArray("Volume").GetValue(0)
         ct.check(abs(volume - math.pi / 6) < 0.02, f"the ball comes back: {volume}")
         ct.check(len(names["volumes"]) == 6, f"the loop knows {names['volumes']}")
-        boundary = simple.SurfaceCertificate(Input=simple.PolyhedralSurface(Input=names["tetrahedra"].Input))
+        boundary = simple.SurfaceCertificate(Input=simple.PolyhedralSurface(
+            Input=names["tetrahedra"].Input, EndCaps="Flat", LiftInternalPoints=0))
         boundary.UpdatePipeline()
         inside = simple.IntegrateVariables(Input=names["solid"], DivideCellDataByVolume=0)
         inside.UpdatePipeline()

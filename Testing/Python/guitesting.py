@@ -46,7 +46,7 @@ def play(name, events, *options):
         run = subprocess.run(
             [os.path.join(ct.SOURCE, "run"), "gui", "--dr", f"--test-directory={ct.OUTPUT}",
              f"--test-script={clicks}", *options, "--exit"],
-            env=environment, capture_output=True, text=True, errors="replace", timeout=120)
+            env=environment, capture_output=True, text=True, errors="replace", timeout=300)
         words, code = run.stdout + run.stderr, run.returncode
     except subprocess.TimeoutExpired as error:
         words, code = f"no end after {error.timeout} s: {error.stdout}", 1
