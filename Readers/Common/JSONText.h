@@ -34,7 +34,6 @@ struct JSONValue
   std::vector<double> Numbers;                          ///< of a list that is numbers alone
   std::vector<std::pair<std::string, JSONValue>> Pairs; ///< of an object, in the file's order
 
-  bool IsList() const { return this->Type == Kind::List; }
   bool IsObject() const { return this->Type == Kind::Object; }
   bool IsString() const { return this->Type == Kind::String; }
   bool IsNumber() const { return this->Type == Kind::Number; }

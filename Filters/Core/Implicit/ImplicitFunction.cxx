@@ -54,12 +54,6 @@ std::vector<Vector3> ImplicitFunction::EvaluateGradients(
   return gradients;
 }
 
-std::array<double, 4> ImplicitFunction::AbsolutePolynomial() const
-{
-  const Vector3 slope{ this->Polynomial[1], this->Polynomial[2], this->Polynomial[3] };
-  return { this->Polynomial[0] - Dot(slope, this->Origin), slope[0], slope[1], slope[2] };
-}
-
 void ImplicitFunction::Validate() const
 {
   if (this->Centres.empty() || this->Centres.size() != this->Weights.size())

@@ -46,6 +46,7 @@ public:
   std::vector<std::string>
     Report; ///< a sentence for everything merged, or that the user should know
 
+  /// At one point, for whoever uses the core by itself; the nodes evaluate many at once.
   double Value(const Point3& x) const;
   Vector3 Gradient(const Point3& x) const;
 
@@ -56,9 +57,6 @@ public:
   /// With progress. @throws Aborted
   std::vector<double> Evaluate(
     const std::vector<Point3>& points, int threads, Monitor& monitor) const;
-
-  /// The polynomial about the origin of the coordinates, as other software prints it.
-  std::array<double, 4> AbsolutePolynomial() const;
 
   /// @throws Error where the parts do not fit together (a model that was read from a file).
   void Validate() const;

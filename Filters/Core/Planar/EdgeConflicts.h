@@ -9,6 +9,7 @@
 #include "Base/Geometry.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace recon
@@ -18,16 +19,19 @@ struct PlanarEdge
 {
   int A = -1;
   int B = -1;
-  int Tag = -1;   ///< what it is a part of: the number of a loop
-  int Weight = 1; ///< times walked from A to B, less those from B to A
+  int Tag = -1; ///< what it is a part of: the number of a loop
+  /// Times walked from A to B, less those from B to A; or how the label to its left differs from the
+  /// one to its right.
+  std::int64_t Weight = 1;
 };
 
 /// The edges of a closed walk.
-inline void AddLoopEdges(const std::vector<int>& loop, int tag, std::vector<PlanarEdge>& edges)
+inline void AddLoopEdges(
+  const std::vector<int>& loop, int tag, std::vector<PlanarEdge>& edges, std::int64_t weight = 1)
 {
   for (std::size_t i = 0; i < loop.size(); ++i)
   {
-    edges.push_back({ loop[i], loop[(i + 1) % loop.size()], tag });
+    edges.push_back({ loop[i], loop[(i + 1) % loop.size()], tag, weight });
   }
 }
 

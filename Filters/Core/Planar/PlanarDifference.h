@@ -41,8 +41,10 @@ struct PlanarDifference
 };
 
 /**
- * Apart from the arrangement of a level (Arrangement.h), as only areas are asked for, and as borders
- * of a surface may be open. A sweep over strips between consecutive ordinates, split where segments cross.
+ * Apart from the arrangement of a level (Arrangement.h) with its labels (EdgeSweep.h), as only areas are asked
+ * for, and as borders of a surface may be open. Made of these it was tried: it takes 2.6 to 5 times as long
+ * where the borders lie upon one another, as a section upon its contour does (20 loops of 1000 points, each in three
+ * layers: .23 s and .087 s), and 5 to 13 times where they cross. A sweep over strips between consecutive ordinates, split where segments cross.
  *
  * No intersection point becomes a vertex, so there is no topology that rounding could break: what
  * rounding moves is the border of a trapezium, by less than some 1e-13 of the extent, and the area

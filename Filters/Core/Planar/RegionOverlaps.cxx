@@ -1,237 +1,186 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Planar/RegionOverlaps.h"
 
-#include <CGAL/Constrained_Delaunay_triangulation_2.h>
-#include <CGAL/Constrained_triangulation_face_base_2.h>
-#include <CGAL/Constrained_triangulation_plus_2.h>
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/property_map.h>
-#include <CGAL/spatial_sort.h>
-#include <CGAL/Spatial_sort_traits_adapter_2.h>
-#include <CGAL/Triangulation_face_base_with_info_2.h>
-#include <CGAL/Triangulation_vertex_base_2.h>
+#include "Base/BoundingBox.h"
+#include "Planar/Arrangement.h"
+#include "Planar/EdgeSweep.h"
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 #include <cstddef>
-#include <iterator>
-#include <limits>
+#include <cstdint>
 #include <map>
-#include <numeric>
 #include <utility>
 
 namespace recon
 {
 namespace
 {
-std::size_t Index(int i)
-{
-  return static_cast<std::size_t>(i);
-}
+/// What crossings are rounded by, and a little more; a fourth of the least that a level's own points
+/// are apart (SnapTolerance.h), so that nothing of one level is snapped to itself.
+constexpr double OverlaySnapping = 1.0 / (std::int64_t{ 1 } << 46);
 
-constexpr int Outside = -1; ///< of all contours
-
-/// The innermost contours of either level around a face.
-struct Place
-{
-  bool Known = false;
-  int Lower = Outside;
-  int Upper = Outside;
-};
-
-/// Crossings are exact, too. Rounded ones were tried: they save a fifth of the time, but where
-/// walls nearly touch they can put a region on the wrong side of a wall.
-using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
-using Vertices = CGAL::Triangulation_vertex_base_2<Kernel>;
-using Faces = CGAL::Constrained_triangulation_face_base_2<Kernel,
-  CGAL::Triangulation_face_base_with_info_2<Place, Kernel>>;
-using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<Kernel,
-  CGAL::Triangulation_data_structure_2<Vertices, Faces>, CGAL::Exact_intersections_tag>;
-using Overlay = CGAL::Constrained_triangulation_plus_2<Triangulation>;
-using FaceHandle = Overlay::Face_handle;
-using VertexHandle = Overlay::Vertex_handle;
-
-class OverlapMeter
+/**
+ * Contours of a level have numbers from 1, what is outside of all has 0. A face is labelled with the
+ * number of the innermost contour around it: an edge weighs its contour's number less that of the
+ * contour around that, so the weights up to a face add up to its label, also where walls lie upon one
+ * another, and where rounding moved a crossing. One label holds both levels, as a number of two digits.
+ */
+class Overlay
 {
 public:
-  OverlapMeter(const ContourSet& contours, const Level& lower, const Level& upper)
-    : Contours(contours)
+  Overlay(const ContourSet& contours, const Level& lower, const Level& upper)
+    : Contours(contours),
+      FirstLower(lower.Contours.front()),
+      FirstUpper(upper.Contours.front()),
+      Base(static_cast<std::int64_t>(lower.Contours.size()) + 1),
+      Labels(this->Base * (static_cast<std::int64_t>(upper.Contours.size()) + 1))
   {
-    this->InsertPoints({ &lower, &upper });
-    this->InsertEdges(lower);
-    this->InsertEdges(upper);
-    this->FirstUpper = upper.Contours.front();
+    this->AddPoints(lower);
+    this->AddPoints(upper);
+    std::sort(this->Points.begin(), this->Points.end());
+    this->Points.erase(std::unique(this->Points.begin(), this->Points.end()), this->Points.end());
+    this->AddEdges(lower, this->FirstLower, 1);
+    this->AddEdges(upper, this->FirstUpper, this->Base);
   }
 
   std::vector<RegionOverlap> Measure()
   {
-    std::vector<FaceHandle> front{ this->Plane.infinite_face() };
-    front.front()->info().Known = true; // infinitely far out
-    while (!front.empty())
+    Arrangement plane(this->Points, std::move(this->Edges), { OverlaySnapping * this->Largest },
+      Arrangement::SumType::Weight);
+    plane.Resolve();
+    const std::vector<PlanarEdge>& edges = plane.Edges();
+    std::vector<std::int64_t> above(edges.size(), 0);
+    for (const SweptEdge& swept : SweepEdges(this->Points, edges))
     {
-      const FaceHandle face = front.back();
-      front.pop_back();
-      this->AddArea(face);
-      for (int i = 0; i < 3; ++i)
-      {
-        const FaceHandle next = face->neighbor(i);
-        if (!next->info().Known)
-        {
-          next->info() = this->Across(face, i);
-          front.push_back(next);
-        }
-      }
+      const PlanarEdge& edge = edges[swept.Edge];
+      const std::int64_t below = swept.Below < 0 ? 0 : above[swept.Below];
+      const bool right = RunsRight(this->Points, edge);
+      above[swept.Edge] = below + (right ? edge.Weight : -edge.Weight);
+      const Point2& a = this->Points[right ? edge.A : edge.B];
+      const Point2& b = this->Points[right ? edge.B : edge.A];
+      this->AddStrip(below, a, b, 1);
+      this->AddStrip(above[swept.Edge], a, b, -1);
     }
-    std::vector<RegionOverlap> overlaps;
-    for (const auto& [pair, area] : this->Areas)
-    {
-      overlaps.push_back({ pair.first, pair.second, area });
-    }
-    return overlaps;
+    return this->Overlaps();
   }
 
 private:
-  /// All points first, along a space-filling curve, so that none has to be looked for from afar.
-  void InsertPoints(const std::vector<const Level*>& levels)
+  /// An area as strips between its border and an ordinate near it, which keeps small areas exact.
+  struct Strips
   {
-    std::vector<Kernel::Point_2> points;
-    std::vector<int> ids;
-    for (const Level* level : levels)
-    {
-      for (int c : level->Contours)
-      {
-        for (int p : this->Contours.Contours[Index(c)].Points)
-        {
-          const Point2& x = this->Contours.Planar[Index(p)];
-          points.emplace_back(x[0], x[1]);
-          ids.push_back(p);
-        }
-      }
-    }
-    std::vector<std::size_t> order(points.size());
-    std::iota(order.begin(), order.end(), std::size_t{ 0 });
-    using PointMap = CGAL::Pointer_property_map<Kernel::Point_2>::const_type;
-    CGAL::spatial_sort(order.begin(), order.end(),
-      CGAL::Spatial_sort_traits_adapter_2<Kernel, PointMap>(
-        CGAL::make_property_map(static_cast<const std::vector<Kernel::Point_2>&>(points))));
-    FaceHandle hint;
-    for (std::size_t i : order)
-    {
-      const VertexHandle vertex = this->Plane.insert(points[i], hint);
-      hint = vertex->face();
-      this->VertexOf.emplace(ids[i], vertex);
-    }
-  }
+    double Ordinate;
+    double Area = 0;
+  };
 
-  void InsertEdges(const Level& level)
+  void AddPoints(const Level& level)
   {
     for (int c : level.Contours)
     {
-      const std::vector<int>& points = this->Contours.Contours[Index(c)].Points;
-      for (std::size_t i = 0; i < points.size(); ++i)
+      for (int p : this->Contours.Contours[c].Points)
       {
-        const auto edge = this->Plane.insert_constraint(
-          this->VertexOf.at(points[i]), this->VertexOf.at(points[(i + 1) % points.size()]));
-        this->ContourOf.emplace(edge, c);
+        const Point2& x = this->Contours.Planar[p];
+        this->Points.push_back(x);
+        this->Largest = std::max({ this->Largest, std::abs(x[0]), std::abs(x[1]) });
       }
     }
   }
 
-  /// The place on the other side of a face's edge.
-  Place Across(const FaceHandle& face, int i)
+  void AddEdges(const Level& level, int first, std::int64_t digit)
   {
-    Place place = face->info();
-    if (!face->is_constrained(i))
+    for (int c : level.Contours)
     {
-      return place;
+      const Contour& contour = this->Contours.Contours[c];
+      const int around = contour.Parent < 0 ? 0 : contour.Parent - first + 1;
+      const std::int64_t step = digit * (c - first + 1 - around);
+      std::vector<int> loop;
+      for (int p : contour.Points)
+      {
+        loop.push_back(this->NumberOf(this->Contours.Planar[p]));
+      }
+      // What is inside a hole's contour is on its right.
+      AddLoopEdges(loop, 0, this->Edges, contour.Depth % 2 == 0 ? step : -step);
     }
-    const VertexHandle a = face->vertex(Overlay::cw(i));
-    const VertexHandle b = face->vertex(Overlay::ccw(i));
-    const auto end = this->Plane.contexts_end(a, b);
-    for (auto edge = this->Plane.contexts_begin(a, b); edge != end; ++edge)
-    {
-      const int contour = this->ContourOf.at(edge->id());
-      this->Cross(contour, contour < this->FirstUpper ? place.Lower : place.Upper);
-    }
-    return place;
   }
 
-  /// Contours of a level meet in points only: a place is just inside the contour, or just outside.
-  void Cross(int contour, int& innermost) const
+  int NumberOf(const Point2& x) const
   {
-    innermost = innermost == contour ? this->Contours.Contours[Index(contour)].Parent : contour;
+    return static_cast<int>(
+      std::lower_bound(this->Points.begin(), this->Points.end(), x) - this->Points.begin());
   }
 
-  void AddArea(const FaceHandle& face)
+  /// From a to b, as the upper border (sign 1) or the lower one (-1) of a face.
+  void AddStrip(std::int64_t label, const Point2& a, const Point2& b, int sign)
   {
-    if (this->Plane.is_infinite(face))
+    // Where rounding turned a sliver over its label may be none.
+    if (label <= 0 || label >= this->Labels || label % this->Base == 0 || label < this->Base)
     {
       return;
     }
-    const Place& place = face->info();
-    if (place.Lower != Outside && place.Upper != Outside)
-    {
-      this->Areas[{ place.Lower, place.Upper }] += AreaOf(face);
-    }
+    Strips& strips = this->Areas.emplace(label, Strips{ a[1] }).first->second;
+    const double height = 0.5 * (a[1] - strips.Ordinate) + 0.5 * (b[1] - strips.Ordinate);
+    strips.Area += sign * (b[0] - a[0]) * height;
   }
 
-  static double AreaOf(const FaceHandle& face)
+  std::vector<RegionOverlap> Overlaps() const
   {
-    std::array<Point2, 3> p;
-    for (std::size_t k = 0; k < 3; ++k)
+    std::vector<RegionOverlap> overlaps;
+    for (const auto& [label, strips] : this->Areas)
     {
-      const Kernel::Point_2& x = face->vertex(static_cast<int>(k))->point();
-      p[k] = { CGAL::to_double(x.x()), CGAL::to_double(x.y()) };
+      if (strips.Area > 0)
+      {
+        overlaps.push_back({ this->FirstLower + static_cast<int>(label % this->Base) - 1,
+          this->FirstUpper + static_cast<int>(label / this->Base) - 1, strips.Area });
+      }
     }
-    return 0.5 *
-      ((p[1][0] - p[0][0]) * (p[2][1] - p[0][1]) - (p[1][1] - p[0][1]) * (p[2][0] - p[0][0]));
+    std::sort(overlaps.begin(), overlaps.end(),
+      [](const RegionOverlap& x, const RegionOverlap& y)
+      {
+        return std::make_pair(x.LowerContour, x.UpperContour) <
+          std::make_pair(y.LowerContour, y.UpperContour);
+      });
+    return overlaps;
   }
 
   const ContourSet& Contours;
-  int FirstUpper = 0; ///< contours are sorted by level
-  Overlay Plane;
-  std::map<int, VertexHandle> VertexOf;
-  std::map<Overlay::Constraint_id, int> ContourOf;
-  std::map<std::pair<int, int>, double> Areas;
+  int FirstLower; ///< contours are sorted by level
+  int FirstUpper;
+  std::int64_t Base;   ///< of the digits of a label
+  std::int64_t Labels; ///< how many there can be
+  double Largest = 0;  ///< coordinate
+  std::vector<Point2> Points;
+  std::vector<PlanarEdge> Edges;
+  std::map<std::int64_t, Strips> Areas;
 };
 
-/// The box around a level's contours.
-struct Box
+BoundingBox<2> BoxOf(const ContourSet& contours, const Level& level)
 {
-  Point2 Low{ std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity() };
-  Point2 High{ -std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity() };
-
-  Box(const ContourSet& contours, const Level& level)
+  BoundingBox<2> box;
+  for (int c : level.Contours)
   {
-    for (int c : level.Contours)
+    for (int p : contours.Contours[c].Points)
     {
-      for (int p : contours.Contours[Index(c)].Points)
-      {
-        for (std::size_t k = 0; k < 2; ++k)
-        {
-          this->Low[k] = std::min(this->Low[k], contours.Planar[Index(p)][k]);
-          this->High[k] = std::max(this->High[k], contours.Planar[Index(p)][k]);
-        }
-      }
+      box.Add(contours.Planar[p]);
     }
   }
+  return box;
+}
 
-  bool IsApartFrom(const Box& other) const
-  {
-    return this->High[0] <= other.Low[0] || other.High[0] <= this->Low[0] ||
-      this->High[1] <= other.Low[1] || other.High[1] <= this->Low[1];
-  }
-};
+/// Also of a level without contours, whose box is empty.
+bool ShareNoArea(const BoundingBox<2>& a, const BoundingBox<2>& b)
+{
+  return a.High[0] <= b.Low[0] || b.High[0] <= a.Low[0] || a.High[1] <= b.Low[1] ||
+    b.High[1] <= a.Low[1];
+}
 }
 
 std::vector<RegionOverlap> MeasureRegionOverlaps(
   const ContourSet& contours, const Level& lower, const Level& upper)
 {
-  // Also true for a level without contours, whose box is empty.
-  if (Box(contours, lower).IsApartFrom(Box(contours, upper)))
+  if (ShareNoArea(BoxOf(contours, lower), BoxOf(contours, upper)))
   {
     return {};
   }
-  return OverlapMeter(contours, lower, upper).Measure();
+  return Overlay(contours, lower, upper).Measure();
 }
 }

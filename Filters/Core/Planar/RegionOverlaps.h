@@ -24,14 +24,13 @@ struct RegionOverlap
  * Every pair of regions of the two levels whose projections overlap, sorted by lower, then upper
  * contour. A region is what lies inside its contour and outside the contours directly inside that.
  *
- * One triangulation of all edges of both levels: its faces lie in one region of either level, so
- * the areas are sums of triangles, and the cost is that of the triangulation, whatever the number
- * of regions. Apart from the arrangement of one level (Arrangement.h), which rounds its crossings:
- * here walls of different levels may lie upon one another, and all stay as they are. Crossings are
- * exact; rounding comes in where the area of a triangle is computed,
- * which is some 1e-16 of it.
+ * One arrangement (Arrangement.h) of both levels' edges, each with a weight from which the faces'
+ * labels follow along a sweep (EdgeSweep.h); areas are sums over the borders of equal labels. A
+ * crossing is computed exactly and rounded once, so an area is right to some 1e-15 of the extent times
+ * the length of its border; walls of different levels may lie upon one another.
  *
  * @pre both levels have the same frame
+ * @throws Error where the levels cross in more places than the arrangement allows
  */
 std::vector<RegionOverlap> MeasureRegionOverlaps(
   const ContourSet& contours, const Level& lower, const Level& upper);

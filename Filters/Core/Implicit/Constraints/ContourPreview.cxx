@@ -88,11 +88,7 @@ double LengthOf(const ContourSet& contours)
   double length = 0;
   for (const Contour& contour : contours.Contours)
   {
-    for (std::size_t i = 0; i < contour.Points.size(); ++i)
-    {
-      const Point3& a = contours.Points[contour.Points[i]];
-      length += Norm(contours.Points[contour.Points[(i + 1) % contour.Points.size()]] - a);
-    }
+    length += LengthAlong(contours.Points, contour.Points);
   }
   return length;
 }

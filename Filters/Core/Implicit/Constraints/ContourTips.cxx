@@ -24,17 +24,6 @@ constexpr double ParallelCosine = 0.9;
 /// Vertices looked at for the gap: it is a median, which a sample tells as well.
 constexpr std::size_t GapSamples = 200;
 
-double LengthOf(const ContourSet& contours, const Contour& contour)
-{
-  double length = 0;
-  for (std::size_t i = 0; i < contour.Points.size(); ++i)
-  {
-    length += Norm(contours.Points[contour.Points[(i + 1) % contour.Points.size()]] -
-      contours.Points[contour.Points[i]]);
-  }
-  return length;
-}
-
 /// What a contour meets on one side: the nearest level, how far, and how deep it is inside there.
 struct Side
 {
@@ -54,7 +43,8 @@ public:
     {
       return {};
     }
-    const double width = 2 * std::abs(contour.SignedArea) / LengthOf(this->Contours, contour);
+    const double width =
+      2 * std::abs(contour.SignedArea) / LengthAlong(this->Contours.Points, contour.Points);
     Side up = this->Nearest(contour, 1);
     Side down = this->Nearest(contour, -1);
     const double widest = TipSlenderness * this->Diagonal;
