@@ -20,8 +20,6 @@ namespace
 {
 /// Where a larger part of the contours is left out, a line in Report is not enough.
 constexpr double WarnBeyond = 0.1;
-/// As the default of vtkPolyhedralSurface: sheets that touch become apart.
-constexpr double PinchGap = 1e-3;
 
 void FillFairOutput(
   const recon::ContourSet& contours, const recon::FairSurface& surface, vtkPolyData* output)
@@ -58,7 +56,7 @@ int vtkFairSurface::RequestData(
       std::vector<std::string> report = contours.Report;
       recon::FairOptions options;
       options.Polyhedral = this->GetOptions(input, contours, overrides, report);
-      options.Polyhedral.PinchGap = PinchGap;
+      options.Polyhedral.PinchGap = recon::FairPinchGap;
       options.Tolerance = this->Tolerance;
       options.EdgeLength = this->EdgeLength;
       options.Tension = this->Tension;

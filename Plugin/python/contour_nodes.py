@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Polyhedral Surface, Implicit Surface and Surface Certificate in any ParaView from 5.11 on, over the Python package.
+"""Polyhedral, Fair and Implicit Surface, and Surface Certificate, in any ParaView from 5.11 on, over the Python package.
 
 For a ParaView that this project's own plugin was not built for, such as Kitware's: Tools > Manage Plugins > Load New, and
 pick this file (Documentation/python.md says how its Python finds the package). The nodes have the names, properties
@@ -48,6 +48,7 @@ def property_xml(function, name, default):
     else:
         kind = "DoubleVectorProperty"
         least, most = RANGES.get(name, (-np.inf, np.inf))
+        least = min(least, default) if name not in TUPLES else least  # -1: automatic, of Fair Surface
         limits = (f" {word}='{limit}'" for word, limit in (("min", least), ("max", most)) if np.isfinite(limit))
         domain = f"<DoubleRangeDomain name='range'{''.join(limits)}/>"
     values = " ".join(map(str, numbers)) if name in TUPLES else numbers
@@ -173,6 +174,17 @@ class PolyhedralSurface(ContourNode):
     def Make(self, inputs, output):
         contours = contours_of(inputs[0])
         set_surface(cr.polyhedral_surface(contours, progress=self.OnProgress, **self.properties), output)
+
+
+@smproxy.filter(name="FairSurface", label="Fair Surface")
+@smhint.xml(MENU)
+@smproperty.input(name="Input", port_index=0)
+@smdomain.datatype(dataTypes=["vtkPolyData"])
+@with_properties_of(cr.fair_surface)
+class FairSurface(ContourNode):
+    def Make(self, inputs, output):
+        contours = contours_of(inputs[0])
+        set_surface(cr.fair_surface(contours, progress=self.OnProgress, **self.properties), output)
 
 
 @smproxy.filter(name="ImplicitSurface", label="Implicit Surface")

@@ -13,13 +13,15 @@ PACKAGE = house.root() / "Plugin/python/contour_reconstruction"
 #: Function -> the nodes that it is.
 NODES = {
     "contour_hierarchy": ["ContourHierarchy"], "contour_mapping": ["ContourMapping"],
-    "polyhedral_surface": ["PolyhedralSurface"], "implicit_surface": ["ImplicitSurface"],
+    "polyhedral_surface": ["PolyhedralSurface"], "fair_surface": ["FairSurface"], "implicit_surface": ["ImplicitSurface"],
     "contours_on_planes": ["ImplicitConstraints", "ImplicitFunction", "ImplicitContours"],
     "certificate": ["SurfaceCertificate"], "write_structure_set": ["DICOMRTStructureSetWriter"],
     "read_slice_planes": ["DICOMSlicePlanes"],
 }
 #: What is an argument in Python; inputs are, too, and what a node only tells is in the result.
 ARGUMENTS = {"FileName"}
+#: (function, property) -> a range of its own.
+OWN_RANGES = {("contour_mapping", "OverlapThreshold"): (0, 1), ("fair_surface", "Tolerance"): (-1, math.inf)}
 wrong = []
 
 
@@ -83,8 +85,9 @@ def default_of(entry):
     return numbers if name in TUPLES else numbers[0]
 
 
-def check_domain(entry, where):
+def check_domain(entry, function):
     name = entry.get("name")
+    where = f"{function}, {name}"
     choices = {text.get("text"): int(text.get("value")) for text in entry.iter("Entry")}
     if choices and CHOICES.get(name) != choices:
         wrong.append(f"{where}: the choices are {choices}, and CHOICES has {CHOICES.get(name)}.")
@@ -92,8 +95,8 @@ def check_domain(entry, where):
         if name in TUPLES or domain.get("min") is None:
             continue
         limits = (float(domain.get("min")), float(domain.get("max", "inf")))
-        own = RANGES.get(name)
-        if own != limits and not (name == "OverlapThreshold" and limits == (0, 1)):
+        own = OWN_RANGES.get((function, name), RANGES.get(name))
+        if own != limits:
             wrong.append(f"{where}: the range is {limits}, and RANGES has {own}.")
 
 
@@ -103,7 +106,7 @@ def check(function, keywords, nodes, everyone):
         wanted.update(properties(everyone[node], everyone))
     for name, entry in sorted(wanted.items()):
         where = f"{function}, {name}"
-        check_domain(entry, where)
+        check_domain(entry, function)
         if name not in keywords:
             wrong.append(f"{where}: the node has it, the function does not.")
         elif keywords[name] != default_of(entry):

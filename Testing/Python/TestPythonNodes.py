@@ -41,6 +41,8 @@ def keep(case, proxy):
 surface = keep("branching_pipe.cnt nodes", PolyhedralSurface(Input=source))  # noqa: F821
 ct.check(surface.EndCaps == "Tapered" and surface.OverlapThreshold == 0.1, "the defaults are those of the nodes")
 flat = keep("branching_pipe.cnt nodes flat", PolyhedralSurface(Input=source, EndCaps="Flat"))  # noqa: F821
+fair = keep("branching_pipe.cnt fair", FairSurface(Input=source, EndCaps="Flat"))  # noqa: F821
+ct.check(fair.Tolerance == -1 and fair.Tension == -1, "what is automatic is so by default")
 keep("branching_pipe.cnt implicit", ImplicitSurface(Input=source))  # noqa: F821
 judged = ct.data(SurfaceCertificate(Input=surface, Contours=source))  # noqa: F821
 words = judged.GetFieldData().GetAbstractArray("Certificate")

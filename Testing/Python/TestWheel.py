@@ -130,6 +130,7 @@ def nodes_make():
     for name, column in named(ct.data(mapping, 1).GetRowData()).items():
         result[f"branching_pipe.cnt joins/rows/{name}"] = column
     add("branching_pipe.cnt mapped", simple.PolyhedralSurface(Input=mapping))
+    add("branching_pipe.cnt fair", simple.FairSurface(Input=pipe, EndCaps="Flat"))
     add("branching_pipe.cnt implicit", simple.ImplicitSurface(Input=pipe))
     add("branching_pipe.cnt nodes", simple.PolyhedralSurface(Input=pipe))
     add("branching_pipe.cnt nodes flat", simple.PolyhedralSurface(Input=pipe, EndCaps="Flat"))

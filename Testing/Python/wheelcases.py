@@ -59,6 +59,7 @@ def through_the_package():
     keep_contours("branching_pipe.cnt mapping", mapping.contours)
     keep("branching_pipe.cnt joins", "rows", mapping.joins)
     keep_surface("branching_pipe.cnt mapped", cr.polyhedral_surface(mapping.contours))
+    keep_surface("branching_pipe.cnt fair", cr.fair_surface(pipe, EndCaps="Flat"))
     keep_surface("branching_pipe.cnt implicit", cr.implicit_surface(pipe))
     keep_surface("tamarind.csl implicit", cr.implicit_surface(cr.read(own("tamarind.csl")), Detail="Medium"))
     keep_contours("branching_pipe.cnt traced", cr.contours_on_planes(pipe, Spacing=0.7))

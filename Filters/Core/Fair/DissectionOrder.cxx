@@ -9,7 +9,7 @@ namespace recon
 {
 namespace
 {
-constexpr std::size_t Leaf = 40; ///< points of a part that is not cut any further
+constexpr std::size_t Leaf = 48; ///< points of a part that is not cut any further
 
 class Dissection
 {
@@ -17,21 +17,21 @@ public:
   explicit Dissection(const TriangleMesh& mesh)
     : Mesh(mesh),
       First(mesh.Points.size() + 1, 0),
-      Side(mesh.Points.size(), 0),
-      Rank(mesh.Points.size(), -1)
+      Side(mesh.Points.size(), 0)
   {
+    this->Made.Rank.assign(mesh.Points.size(), -1);
     this->FindNeighbours();
   }
 
-  std::vector<int> Order()
+  DissectionOrder Order()
   {
     std::vector<int> all(this->Mesh.Points.size());
     for (std::size_t v = 0; v < all.size(); ++v)
     {
       all[v] = static_cast<int>(v);
     }
-    this->Part(all);
-    return std::move(this->Rank);
+    this->Part(all, 0);
+    return std::move(this->Made);
   }
 
 private:
@@ -60,18 +60,39 @@ private:
     }
   }
 
-  bool HasNeighbour(int v, int mark) const
+  /// Whether one of the points beside it, or beside these, which may be in no part any more, has a mark.
+  bool ReachesMark(int v, int mark) const
   {
-    return std::any_of(this->Neighbours.begin() + this->First[v],
-      this->Neighbours.begin() + this->First[v + 1], [&](int w) { return this->Side[w] == mark; });
+    const auto beside = [this](int w, const auto& is)
+    {
+      return std::any_of(this->Neighbours.begin() + this->First[w],
+        this->Neighbours.begin() + this->First[w + 1], is);
+    };
+    const auto isMarked = [&](int w) { return this->Side[w] == mark; };
+    return beside(v, [&](int w) { return isMarked(w) || beside(w, isMarked); });
   }
 
-  void Number(const std::vector<int>& points)
+  int Number(const std::vector<int>& points, int depth, const std::array<int, 2>& parts)
   {
+    DissectionNode node;
+    node.From = this->Next;
     for (const int v : points)
     {
-      this->Rank[v] = this->Next++;
+      this->Made.Rank[v] = this->Next++;
     }
+    node.To = this->Next;
+    node.Parts = parts;
+    node.Depth = depth;
+    const int number = static_cast<int>(this->Made.Nodes.size());
+    for (const int part : parts)
+    {
+      if (part >= 0)
+      {
+        this->Made.Nodes[part].Parent = number;
+      }
+    }
+    this->Made.Nodes.push_back(node);
+    return number;
   }
 
   int LongestAxis(const std::vector<int>& points) const
@@ -89,22 +110,12 @@ private:
     return axis;
   }
 
-  /// Takes those of the lower half that are marked out of it.
-  void TakeMarked(std::vector<int>& lower, int mark, std::vector<int>& taken)
-  {
-    const auto kept = std::stable_partition(
-      lower.begin(), lower.end(), [&](int v) { return this->Side[v] != mark; });
-    taken.insert(taken.end(), kept, lower.end());
-    lower.erase(kept, lower.end());
-  }
-
-  /// Halves at every step, so it is a few tens of calls deep.
-  void Part(std::vector<int>& points)
+  /// Halves at every step, so it is a few tens of calls deep. @returns the node
+  int Part(std::vector<int>& points, int depth)
   {
     if (points.size() <= Leaf)
     {
-      this->Number(points);
-      return;
+      return this->Number(points, depth, { -1, -1 });
     }
     const int axis = this->LongestAxis(points);
     std::sort(points.begin(), points.end(),
@@ -117,27 +128,18 @@ private:
     const auto half = points.begin() + static_cast<std::ptrdiff_t>(points.size() / 2);
     std::vector<int> lower(points.begin(), half);
     std::vector<int> upper(half, points.end());
-    const int up = this->Marks + 1;
-    this->Marks += 3;
+    const int mark = ++this->Marks;
     for (const int v : upper)
     {
-      this->Side[v] = up;
+      this->Side[v] = mark;
     }
-    std::vector<int> between;
-    for (int depth = 0; depth < 2; ++depth)
-    {
-      for (const int v : lower)
-      {
-        if (this->HasNeighbour(v, up + depth))
-        {
-          this->Side[v] = up + depth + 1;
-        }
-      }
-      this->TakeMarked(lower, up + depth + 1, between);
-    }
-    this->Part(lower);
-    this->Part(upper);
-    this->Number(between);
+    const auto reaching = std::stable_partition(
+      lower.begin(), lower.end(), [&](int v) { return !this->ReachesMark(v, mark); });
+    const std::vector<int> between(reaching, lower.end());
+    lower.erase(reaching, lower.end());
+    const int one = this->Part(lower, depth + 1);
+    const int other = this->Part(upper, depth + 1);
+    return this->Number(between, depth, { one, other });
   }
 
   const TriangleMesh& Mesh;
@@ -145,12 +147,12 @@ private:
   std::vector<int> Neighbours;
   std::vector<int> Side; ///< the last mark of each point; marks are new in every part
   int Marks = 0;
-  std::vector<int> Rank;
+  DissectionOrder Made;
   int Next = 0;
 };
 }
 
-std::vector<int> DissectionOrder(const TriangleMesh& mesh)
+DissectionOrder DissectMesh(const TriangleMesh& mesh)
 {
   return Dissection(mesh).Order();
 }

@@ -34,14 +34,14 @@ public:
   {
   }
 
-  EvenMesh Make(bool onlyMend)
+  EvenMesh Make()
   {
     AbortMonitor silent(this->Observer);
     EvenMesh even;
     for (int attempt = 0; attempt < MostAttempts; ++attempt)
     {
       this->Observer.Update(static_cast<double>(attempt) / MostAttempts, "making the mesh even");
-      even.Mesh = this->Once(attempt + 1 == MostAttempts, onlyMend, silent);
+      even.Mesh = this->Once(attempt + 1 == MostAttempts, silent);
       even.Crossing = this->FindCrossings(even.Mesh, silent);
       if (even.Crossing == 0)
       {
@@ -52,16 +52,9 @@ public:
   }
 
 private:
-  TriangleMesh Once(bool lookEverywhere, bool onlyMend, Monitor& silent) const
+  TriangleMesh Once(bool lookEverywhere, Monitor& silent) const
   {
     EvenPasses passes(this->Given, this->Surface, this->EdgeLength, this->Threads, silent);
-    if (onlyMend)
-    {
-      this->MarkThin(passes, lookEverywhere);
-      passes.Flip();
-      passes.MendSlivers();
-      return passes.Mesh.Compact();
-    }
     passes.CollapseShort();
     passes.SplitLong();
     this->MarkThin(passes, lookEverywhere);
@@ -122,11 +115,17 @@ private:
 
 EvenMesh MakeEvenMesh(const TriangleMesh& given, double edgeLength, int threads, Monitor& monitor)
 {
-  return Evener(given, edgeLength, threads, monitor).Make(false);
+  return Evener(given, edgeLength, threads, monitor).Make();
 }
 
-EvenMesh MendMesh(const TriangleMesh& given, double edgeLength, int threads, Monitor& monitor)
+TriangleMesh MendMesh(const TriangleMesh& given, double edgeLength, int threads, Monitor& monitor)
 {
-  return Evener(given, edgeLength, threads, monitor).Make(true);
+  const SurfacePlaces surface(given);
+  EvenPasses passes(given, surface, edgeLength, threads, monitor);
+  // Every change is looked at, so nothing crosses that did not before.
+  std::fill(passes.Thin.begin(), passes.Thin.end(), 1);
+  passes.Flip();
+  passes.MendSlivers();
+  return passes.Mesh.Compact();
 }
 }

@@ -30,7 +30,7 @@ EvenMesh MakeEvenMesh(const TriangleMesh& given, double edgeLength, int threads,
 
 /// Only flips diagonals, and takes small angles away, of a mesh that is even already; no other point
 /// moves. The rest as above.
-EvenMesh MendMesh(const TriangleMesh& given, double edgeLength, int threads, Monitor& monitor);
+TriangleMesh MendMesh(const TriangleMesh& given, double edgeLength, int threads, Monitor& monitor);
 }
 
 #endif

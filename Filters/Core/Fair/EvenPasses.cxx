@@ -6,6 +6,7 @@
 #include "Mesh/TrianglePair.h"
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 #include <utility>
 
@@ -22,10 +23,14 @@ constexpr double LongestMade = 1.6;
 /// they are not asked.
 constexpr double UsualCosine = 0.4;
 constexpr double LeastCosine = -2;
-/// Triangles with a smaller angle (radians) have no direction to speak of.
-constexpr double NeedleAngle = 0.03;
-/// Least angles above this (radians) need not become larger.
-constexpr double GoodAngle = 0.4;
+/// Triangles with a smaller angle (its tangent) have no direction to speak of.
+constexpr double NeedleTangent = 0.03;
+/// Least angles (their tangents) above this need not become larger.
+constexpr double GoodTangent = 0.42;
+/// Of no triangle's least angle, which is at most 60 degrees.
+constexpr double MostTangent = 2;
+/// Triangles whose least angle's tangent is above this stay as they are.
+constexpr double PerfectTangent = 1;
 /// A point that is spread is looked for on the surface within so many edge lengths.
 constexpr double Reach = 1;
 constexpr int MostPasses = 6;
@@ -63,7 +68,7 @@ double EvenPasses::AgreementWanted(const std::vector<int>& before, double cosine
   for (const int t : before)
   {
     const Triangle& corners = this->Mesh.Triangles[t];
-    if (this->Mesh.LeastAngle(corners) > NeedleAngle)
+    if (this->Mesh.LeastTangent(corners) > NeedleTangent)
     {
       wanted = std::min(wanted, this->AgreementOf(corners));
     }
@@ -127,34 +132,34 @@ void EvenPasses::SplitLong()
   }
 }
 
-/// The least angle around a point, negative where a triangle has turned against the surface.
-double EvenPasses::QualityAround(int v) const
+/// The tangent of the triangles' least angle, negative where one has turned against the surface.
+double EvenPasses::QualityOf(const std::vector<int>& triangles) const
 {
-  double least = Pi;
-  for (const int t : this->Mesh.Around(v))
+  double least = MostTangent;
+  for (const int t : triangles)
   {
     const Triangle& corners = this->Mesh.Triangles[t];
     if (!(this->AgreementOf(corners) >= UsualCosine))
     {
       return -1;
     }
-    least = std::min(least, this->Mesh.LeastAngle(corners));
+    least = std::min(least, this->Mesh.LeastTangent(corners));
   }
   return least;
 }
 
-/// The least angle that the triangles around a point would have in the other's place; negative where
+/// The tangent of the least angle that the triangles around a point would have in the other's place; negative where
 /// that may not be.
 double EvenPasses::QualityOfCollapse(int from, int into, double cosine) const
 {
-  double before = Pi;
-  double after = Pi;
+  double before = MostTangent;
+  double after = MostTangent;
   const std::vector<int> around = this->Mesh.Around(from);
   const double wanted = this->AgreementWanted(around, cosine);
   for (const int t : around)
   {
     Triangle moved = this->Mesh.Triangles[t];
-    before = std::min(before, this->Mesh.LeastAngle(moved));
+    before = std::min(before, this->Mesh.LeastTangent(moved));
     if (this->Mesh.CornerOf(t, into) >= 0)
     {
       continue;
@@ -176,9 +181,9 @@ double EvenPasses::QualityOfCollapse(int from, int into, double cosine) const
     {
       return -1;
     }
-    after = std::min(after, this->Mesh.LeastAngle(moved));
+    after = std::min(after, this->Mesh.LeastTangent(moved));
   }
-  return after > std::min(before, 0.5 * GoodAngle) ? after : -1;
+  return after > std::min(before, 0.5 * GoodTangent) ? after : -1;
 }
 
 bool EvenPasses::Collapse(int u, int v, double cosine)
@@ -243,20 +248,26 @@ bool EvenPasses::FlipIfBetter(int t, int k, double cosine)
   {
     return false;
   }
-  const int a = this->Mesh.Triangles[t][k];
-  const int b = this->Mesh.Triangles[t][(k + 1) % 3];
-  const int c = this->Mesh.Triangles[t][(k + 2) % 3];
-  const int d =
-    this->Mesh
-      .Triangles[across][3 - this->Mesh.CornerOf(across, b) - this->Mesh.CornerOf(across, c)];
+  const Triangle& these = this->Mesh.Triangles[t];
+  const Triangle& those = this->Mesh.Triangles[across];
+  const double before = std::min(this->Mesh.LeastTangent(these), this->Mesh.LeastTangent(those));
+  if (before >= PerfectTangent)
+  {
+    return false;
+  }
+  const int a = these[k];
+  const int b = these[(k + 1) % 3];
+  const int c = these[(k + 2) % 3];
+  const int d = those[3 - this->Mesh.CornerOf(across, b) - this->Mesh.CornerOf(across, c)];
   const Triangle one{ a, b, d };
   const Triangle other{ a, d, c };
-  const double before = std::min(this->Mesh.LeastAngle(this->Mesh.Triangles[t]),
-    this->Mesh.LeastAngle(this->Mesh.Triangles[across]));
-  const double after = std::min(this->Mesh.LeastAngle(one), this->Mesh.LeastAngle(other));
+  if (!(std::min(this->Mesh.LeastTangent(one), this->Mesh.LeastTangent(other)) >
+        1.0001 * before + 1e-9))
+  {
+    return false;
+  }
   const double wanted = this->AgreementWanted({ t, across }, cosine);
-  if (!(after > 1.0001 * before + 1e-9) ||
-    !(std::min(this->AgreementOf(one), this->AgreementOf(other)) >= wanted) ||
+  if (!(std::min(this->AgreementOf(one), this->AgreementOf(other)) >= wanted) ||
     Norm(this->Mesh.Points[a] - this->Mesh.Points[d]) >
       std::max(LongestMade * this->EdgeLength, this->Mesh.SideLength(t, k)) ||
     !(Dot(this->Mesh.AreaNormal(one), this->Mesh.AreaNormal(other)) > 0) ||
@@ -383,11 +394,12 @@ void EvenPasses::Flip()
 /// The middle of the points around one, in its tangent plane.
 Point3 EvenPasses::Middle(int v) const
 {
-  const std::vector<int> around = this->Mesh.Neighbours(v);
+  const std::vector<int>& around = this->Mesh.Around(v);
   Point3 mean{ 0, 0, 0 };
-  for (const int w : around)
+  for (const int t : around)
   {
-    mean = mean + this->Mesh.Points[w];
+    // Closed around: each neighbour comes after the point in one of its triangles.
+    mean = mean + this->Mesh.Points[this->Mesh.Triangles[t][(this->Mesh.CornerOf(t, v) + 1) % 3]];
   }
   const Vector3 move = (1.0 / static_cast<double>(around.size())) * mean - this->Mesh.Points[v];
   const Vector3& n = this->Normals[v];
@@ -435,11 +447,11 @@ void EvenPasses::Spread()
 /// Moves a point, unless that makes things worse.
 void EvenPasses::Place(int v, Point3& place, Vector3& normal)
 {
-  const double before = this->QualityAround(v);
   const std::vector<int> around = this->Mesh.Around(v);
+  const double before = this->QualityOf(around);
   std::swap(this->Mesh.Points[v], place);
   std::swap(this->Normals[v], normal);
-  if (!(this->QualityAround(v) > std::min(before, GoodAngle)) ||
+  if (!(this->QualityOf(around) > std::min(before, GoodTangent)) ||
     (this->AnyThin(around) && this->AnyCrosses(around)))
   {
     std::swap(this->Mesh.Points[v], place);
@@ -469,14 +481,14 @@ bool EvenPasses::Mend(int t, double cosine)
 
 void EvenPasses::MendSlivers()
 {
-  const double least = FairLeastAngle * 1.2 * Pi / 180;
+  const double least = std::tan(FairLeastAngle * 1.2 * Pi / 180);
   for (int pass = 0; pass < MostPasses; ++pass)
   {
     std::size_t mended = 0;
     const double cosine = 2 * pass < MostPasses ? UsualCosine : LeastCosine;
     for (int t = 0; t < static_cast<int>(this->Mesh.Triangles.size()); ++t)
     {
-      if (this->Mesh.IsAlive(t) && this->Mesh.LeastAngle(this->Mesh.Triangles[t]) < least)
+      if (this->Mesh.IsAlive(t) && this->Mesh.LeastTangent(this->Mesh.Triangles[t]) < least)
       {
         mended += this->Mend(t, cosine) ? 1 : 0;
       }

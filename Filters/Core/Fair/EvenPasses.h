@@ -54,7 +54,7 @@ private:
 
   double AgreementOf(const Triangle& t) const;
   double AgreementWanted(const std::vector<int>& before, double cosine) const;
-  double QualityAround(int v) const;
+  double QualityOf(const std::vector<int>& triangles) const;
   double QualityOfCollapse(int from, int into, double cosine) const;
   bool Collapse(int u, int v, double cosine);
   bool FlipIfBetter(int t, int k, double cosine);

@@ -3,6 +3,7 @@
 
 #include "Base/Angles.h"
 #include "Base/Parallel.h"
+#include "Base/SubMonitor.h"
 #include "Fair/EvenPasses.h"
 #include "Fair/UncrossedMove.h"
 #include "Mesh/TriangleTree.h"
@@ -18,6 +19,7 @@ namespace
 constexpr double Reach = 2;
 /// Pulls that miss get so many times the weight, so many times.
 constexpr double MoreWeight = 10;
+constexpr int LeastSolves = 2;
 constexpr int MostSolves = 3;
 /// Passes over the samples that are too far, and rounds of passes with what crosses taken back; they
 /// are brought to this part of the tolerance.
@@ -40,6 +42,28 @@ std::vector<SurfacePlace> PlacesOf(const SurfacePlaces& surface,
     },
     monitor, { 0, 0, "fairing" });
   return places;
+}
+
+/// From the places that are nearest by now, with more weight where they miss. @returns how many do
+std::size_t PullAgain(const SurfacePlaces& surface, std::vector<Pull>& pulls,
+  const FairFitOptions& options, Monitor& monitor)
+{
+  std::vector<char> misses(pulls.size(), 0);
+  ParallelForBlocks(pulls.size(), SamplesABlock, options.Threads,
+    [&](std::size_t from, std::size_t to)
+    {
+      for (std::size_t i = from; i < to; ++i)
+      {
+        Pull& pull = pulls[i];
+        const SurfacePlace place =
+          surface.Nearest(pull.To, pull.Outward, Reach * options.EdgeLength);
+        misses[i] = place.Triangle < 0 || place.Distance > options.Tolerance ? 1 : 0;
+        pull.From = place.Triangle < 0 ? pull.From : place;
+        pull.Weight *= misses[i] ? MoreWeight : 1;
+      }
+    },
+    monitor, { 0, 0, "fairing" });
+  return std::count(misses.begin(), misses.end(), 1);
 }
 
 /// By as little as takes the place there: a corner by its share.
@@ -100,25 +124,18 @@ std::vector<Pull> PullsOf(const SurfacePlaces& surface, const std::vector<Contou
   return pulls;
 }
 
-std::vector<Point3> SolveWithin(FairSystem& system, const TriangleMesh& mesh,
-  std::vector<Pull>& pulls, double tension, const FairFitOptions& options, Monitor& monitor)
+std::vector<Point3> SolveWithin(const TriangleMesh& mesh, std::vector<Pull>& pulls, double scale,
+  double tension, const FairFitOptions& options, Monitor& monitor)
 {
+  AbortMonitor silent(monitor);
   TriangleMesh moved = mesh;
   for (int solve = 0; solve < MostSolves; ++solve)
   {
     monitor.Update(static_cast<double>(solve) / MostSolves, "fairing");
+    FairSystem system(moved, mesh.Points, scale, options.Threads, silent);
     moved.Points = system.Solve(pulls, tension);
-    const SurfacePlaces surface(moved);
-    std::size_t missed = 0;
-    for (Pull& pull : pulls)
-    {
-      const SurfacePlace place = surface.Nearest(pull.To, pull.Outward, Reach * options.EdgeLength);
-      const bool misses = place.Triangle < 0 || place.Distance > options.Tolerance;
-      pull.From = place.Triangle < 0 ? pull.From : place;
-      pull.Weight *= misses ? MoreWeight : 1;
-      missed += misses ? 1 : 0;
-    }
-    if (missed == 0)
+    const std::size_t missed = PullAgain(SurfacePlaces(moved), pulls, options, silent);
+    if (missed == 0 && solve + 1 >= LeastSolves)
     {
       break;
     }

@@ -40,13 +40,14 @@ std::vector<Pull> PullsOf(const SurfacePlaces& surface, const std::vector<Contou
   const FairFitOptions& options, Monitor& monitor);
 
 /**
- * Solves, and again a few times with pulls at the places that are nearest by then, so that the
- * surface may slide along itself, and with more weight where it is farther than the tolerance.
+ * Solves, and again a few times: over the mesh that came out, whose lengths are nearer to those of the
+ * surface that is looked for than terraces are; with pulls at the places that are nearest by then, so
+ * that the surface may slide along itself; and with more weight where it is farther than the tolerance.
  *
- * @returns places of the mesh's points @throws Error, Aborted
+ * @param scale see FairSystem @returns places of the mesh's points @throws Error, Aborted
  */
-std::vector<Point3> SolveWithin(FairSystem& system, const TriangleMesh& mesh,
-  std::vector<Pull>& pulls, double tension, const FairFitOptions& options, Monitor& monitor);
+std::vector<Point3> SolveWithin(const TriangleMesh& mesh, std::vector<Pull>& pulls, double scale,
+  double tension, const FairFitOptions& options, Monitor& monitor);
 
 /**
  * Moves the corners of the triangles that vertices among the samples are farther away from than the

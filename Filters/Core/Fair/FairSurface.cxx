@@ -19,10 +19,14 @@ namespace recon
 {
 namespace
 {
-/// Of the slices' distance: edges, and how far the surface may be from contours that were drawn.
+/// Of the slices' distance: edges, down to the second where triangles are few, and how far the surface
+/// may be from contours that were drawn.
 constexpr double EdgePart = 0.3;
+constexpr double LeastEdgePart = 0.15;
 constexpr double TolerancePart = 0.05;
-/// Edges become longer rather than triangles more, as memory and time grow faster than these.
+/// Edges are shorter where triangles are fewer than the first, which costs little and is nearer; they
+/// become longer rather than triangles more than the second, as memory and time grow faster than these.
+constexpr double FewTriangles = 25000;
 constexpr double MostTriangles = 150000;
 constexpr double AutomaticTension = 0.1;
 /// Of pulls: drawn contours are followed, the staircase of pixels is evened out.
@@ -138,13 +142,12 @@ private:
     SubMonitor part(this->Observer, 0.6, 0.85);
     const SurfacePlaces places(this->Even);
     std::vector<Pull> pulls = PullsOf(places, this->Samples, this->Fit, this->Silent);
-    FairSystem system(this->Even, this->Spacing);
     const std::vector<Point3> moved =
-      SolveWithin(system, this->Even, pulls, this->Result.Tension, this->Fit, part);
+      SolveWithin(this->Even, pulls, this->Spacing, this->Result.Tension, this->Fit, part);
     UncrossedMove made = MoveUncrossed(this->Even, moved, 0, this->Options.Threads, this->Silent);
     this->Result.HeldBack = made.HeldBack;
     this->Result.Mesh =
-      MendMesh(made.Mesh, this->Result.EdgeLength, this->Options.Threads, this->Silent).Mesh;
+      MendMesh(made.Mesh, this->Result.EdgeLength, this->Options.Threads, this->Silent);
   }
 
   void Finish()
@@ -204,9 +207,12 @@ private:
 
 double AutomaticEdgeLength(const TriangleMesh& surface, double spacing)
 {
-  // Equilateral triangles of that many in the area.
-  const double shortest = std::sqrt(AreaOf(surface) * 4 / std::sqrt(3.0) / MostTriangles);
-  return std::max(EdgePart * spacing, shortest);
+  const double area = AreaOf(surface);
+  const auto lengthOf = [&](double triangles)
+  { return std::sqrt(area * 4 / std::sqrt(3.0) / triangles); }; // equilateral ones
+  const double fine =
+    std::clamp(lengthOf(FewTriangles), LeastEdgePart * spacing, EdgePart * spacing);
+  return std::max(fine, lengthOf(MostTriangles));
 }
 
 FairSurface BuildFairSurface(

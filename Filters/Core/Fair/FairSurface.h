@@ -18,6 +18,10 @@
 
 namespace recon
 {
+/// As the default of Polyhedral Surface: sheets that touch become apart, by this part of the median
+/// edge length, before they are moved.
+constexpr double FairPinchGap = 1e-3;
+
 struct FairOptions
 {
   PolyhedralOptions Polyhedral; ///< what is joined to what, and how it ends
@@ -62,7 +66,8 @@ struct FairSurface
 FairSurface BuildFairSurface(
   const ContourSet& contours, const FairOptions& options, Monitor& monitor);
 
-/// Three tenths of the slices' distance, and more where that would be more than MostTriangles.
+/// Three tenths of the slices' distance; down to half of that where triangles are few, and more where
+/// they would be very many.
 double AutomaticEdgeLength(const TriangleMesh& surface, double spacing);
 }
 

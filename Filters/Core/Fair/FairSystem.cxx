@@ -3,9 +3,9 @@
 
 #include "Base/Monitor.h"
 #include "Fair/DissectionOrder.h"
+#include "Fair/FrontalCholesky.h"
 
 #include <Eigen/Sparse>
-#include <Eigen/SparseCholesky>
 
 #include <algorithm>
 #include <cmath>
@@ -38,17 +38,23 @@ struct FairSystem::Implementation
 {
   const TriangleMesh& Mesh;
   double Scale;
-  std::vector<int> Rank; ///< of a point among the unknowns
-  Matrix Membrane;       ///< positive semidefinite
+  int Threads;
+  Monitor& Observer;
+  DissectionOrder Order;
+  const std::vector<int>& Rank; ///< of a point among the unknowns
+  Matrix Membrane;              ///< positive semidefinite
   Matrix ThinPlate;
   Eigen::MatrixXd Places;
-  Eigen::SimplicialLDLT<Matrix, Eigen::Lower, Eigen::NaturalOrdering<int>> Factor;
-  bool Analysed = false;
+  std::unique_ptr<FrontalCholesky> Factor;
 
-  Implementation(const TriangleMesh& mesh, double scale)
+  Implementation(const TriangleMesh& mesh, const std::vector<Point3>& rest, double scale,
+    int threads, Monitor& monitor)
     : Mesh(mesh),
       Scale(scale),
-      Rank(DissectionOrder(mesh))
+      Threads(threads),
+      Observer(monitor),
+      Order(DissectMesh(mesh)),
+      Rank(Order.Rank)
   {
     this->BuildMembrane();
     this->BuildThinPlate();
@@ -57,7 +63,7 @@ struct FairSystem::Implementation
     {
       for (int k = 0; k < 3; ++k)
       {
-        this->Places(this->Rank[p], k) = mesh.Points[p][k];
+        this->Places(this->Rank[p], k) = rest[p][k];
       }
     }
   }
@@ -143,18 +149,16 @@ struct FairSystem::Implementation
       system.coeffRef(v, v) += anchorage;
     }
     right += anchorage * this->Places;
-    if (!this->Analysed)
+    if (!this->Factor)
     {
-      this->Factor.analyzePattern(system);
-      this->Analysed = true;
+      this->Factor = std::make_unique<FrontalCholesky>(this->Order.Nodes, system);
     }
-    this->Factor.factorize(system);
-    if (this->Factor.info() != Eigen::Success)
+    if (!this->Factor->Factorise(system, this->Threads, this->Observer))
     {
       throw Error("The equations of the fair surface could not be solved; choose a larger Edge "
                   "Length or Tolerance.");
     }
-    const Eigen::MatrixXd solved = this->Factor.solve(right);
+    const Eigen::MatrixXd solved = this->Factor->Solve(right);
     std::vector<Point3> places(this->Mesh.Points.size());
     for (std::size_t p = 0; p < places.size(); ++p)
     {
@@ -165,8 +169,9 @@ struct FairSystem::Implementation
   }
 };
 
-FairSystem::FairSystem(const TriangleMesh& mesh, double scale)
-  : Impl(std::make_unique<Implementation>(mesh, scale))
+FairSystem::FairSystem(const TriangleMesh& mesh, const std::vector<Point3>& rest, double scale,
+  int threads, Monitor& monitor)
+  : Impl(std::make_unique<Implementation>(mesh, rest, scale, threads, monitor))
 {
 }
 

@@ -6,6 +6,7 @@
 #ifndef recon_FairSystem_h
 #define recon_FairSystem_h
 
+#include "Base/Monitor.h"
 #include "Fair/SurfacePlaces.h"
 #include "Mesh/TriangleMesh.h"
 
@@ -28,23 +29,25 @@ struct Pull
  * @brief Thin plate and membrane over a mesh (Botsch and Kobbelt 2004), solved by a sparse Cholesky
  * factorisation.
  *
- * With x the places of the points, x0 those of the mesh, h the scale and t the tension, it makes
+ * With x the places of the points, x0 those at rest, h the scale and t the tension, it makes
  *
  *     (1 - t) ∫|Δx|² + t s / h² ∫|∇(x - x0)|² + Σ Weight / h³ |x(From) - To|²
  *
- * least. Δ is the Laplacian of the mesh as it is (cotangents). t = 1 leaves the mesh where it is as
- * far as pulls allow.
+ * least. Δ is the Laplacian of the mesh as it is (cotangents). t = 1 leaves the points at rest as far
+ * as pulls allow.
  */
 class FairSystem
 {
 public:
-  /// The mesh outlives this. @param scale length of what is bridged: the distance of slices
-  FairSystem(const TriangleMesh& mesh, double scale);
+  /// All outlive this. @param mesh whose lengths and angles count @param rest x0 @param scale length of
+  /// what is bridged: the distance of slices
+  FairSystem(const TriangleMesh& mesh, const std::vector<Point3>& rest, double scale, int threads,
+    Monitor& monitor);
   ~FairSystem();
   FairSystem(const FairSystem&) = delete;
   FairSystem& operator=(const FairSystem&) = delete;
 
-  /// The points' new places. @throws Error where there is not enough memory for it
+  /// The points' new places. @throws Error where the equations have no answer; Aborted
   std::vector<Point3> Solve(const std::vector<Pull>& pulls, double tension);
 
 private:

@@ -21,18 +21,24 @@ int Previous(int k)
 }
 }
 
-double SmallestAngle(const Point3& a, const Point3& b, const Point3& c)
+double TangentOfSmallestAngle(const Point3& a, const Point3& b, const Point3& c)
 {
   // Opposite the shortest side, so never obtuse.
   const std::array<Vector3, 3> sides{ c - b, a - c, b - a };
-  int shortest = 0;
-  for (int k = 1; k < 3; ++k)
-  {
-    shortest = Dot(sides[k], sides[k]) < Dot(sides[shortest], sides[shortest]) ? k : shortest;
-  }
+  std::array<double, 3> squares{};
+  std::transform(
+    sides.begin(), sides.end(), squares.begin(), [](const Vector3& u) { return Dot(u, u); });
+  const int shortest =
+    squares[1] < squares[0] ? (squares[2] < squares[1] ? 2 : 1) : (squares[2] < squares[0] ? 2 : 0);
   const Vector3& u = sides[Next(shortest)];
   const Vector3& v = sides[Previous(shortest)];
-  return std::atan2(Norm(Cross(u, v)), -Dot(u, v));
+  const double cosine = -Dot(u, v);
+  return cosine > 0 ? Norm(Cross(u, v)) / cosine : 0;
+}
+
+double SmallestAngle(const Point3& a, const Point3& b, const Point3& c)
+{
+  return std::atan(TangentOfSmallestAngle(a, b, c));
 }
 
 LinkedMesh::LinkedMesh(const TriangleMesh& mesh)
@@ -162,9 +168,9 @@ Vector3 LinkedMesh::AreaNormal(const Triangle& t) const
   return Cross(this->Points[t[1]] - this->Points[t[0]], this->Points[t[2]] - this->Points[t[0]]);
 }
 
-double LinkedMesh::LeastAngle(const Triangle& t) const
+double LinkedMesh::LeastTangent(const Triangle& t) const
 {
-  return SmallestAngle(this->Points[t[0]], this->Points[t[1]], this->Points[t[2]]);
+  return TangentOfSmallestAngle(this->Points[t[0]], this->Points[t[1]], this->Points[t[2]]);
 }
 
 double LinkedMesh::SideLength(int t, int k) const
@@ -177,12 +183,10 @@ double LinkedMesh::SideLength(int t, int k) const
 
 int LinkedMesh::LongestSide(int t) const
 {
-  int longest = 0;
-  for (int k = 1; k < 3; ++k)
-  {
-    longest = this->SideLength(t, k) > this->SideLength(t, longest) ? k : longest;
-  }
-  return longest;
+  const double first = this->SideLength(t, 0);
+  const double second = this->SideLength(t, 1);
+  const double third = this->SideLength(t, 2);
+  return second > first ? (third > second ? 2 : 1) : (third > first ? 2 : 0);
 }
 
 void LinkedMesh::Relink(int t, int was, int now)

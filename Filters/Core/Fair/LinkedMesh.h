@@ -53,7 +53,7 @@ public:
   std::pair<int, int> Find(int u, int v) const;
 
   Vector3 AreaNormal(const Triangle& t) const;
-  double LeastAngle(const Triangle& t) const; ///< radians
+  double LeastTangent(const Triangle& t) const; ///< of the smallest angle
   double SideLength(int t, int k) const;
   int LongestSide(int t) const;
 
@@ -82,6 +82,9 @@ private:
 
   mutable std::vector<int> Ring; ///< what Around gives, until it is called again
 };
+
+/// Of a triangle without area 0. Rises with the angle, and needs no arc tangent.
+double TangentOfSmallestAngle(const Point3& a, const Point3& b, const Point3& c);
 
 /// The smallest angle of a triangle, radians.
 double SmallestAngle(const Point3& a, const Point3& b, const Point3& c);

@@ -16,12 +16,12 @@ from ._core import Aborted, Error, NothingToDo, __version__
 from ._data import Certificate, ContourMapping, Contours, ContourWarning, Regions, Surface
 from ._files import (list_rois, read, read_brep, read_curve_network, read_nuages, read_slice_planes,
                      read_structure_set, read_traces, write_brep, write_nuages, write_stl, write_structure_set)
-from ._methods import (certificate, contour_hierarchy, contour_mapping, contours_on_planes, implicit_surface,
-                       polyhedral_surface)
+from ._methods import (certificate, contour_hierarchy, contour_mapping, contours_on_planes, fair_surface,
+                       implicit_surface, polyhedral_surface)
 
 __all__ = [
     "Aborted", "Certificate", "ContourMapping", "ContourWarning", "Contours", "Error", "NothingToDo", "Regions",
     "Surface", "__version__", "certificate", "contour_hierarchy", "contour_mapping", "contours_on_planes",
-    "implicit_surface", "list_rois", "polyhedral_surface", "read", "read_brep", "read_curve_network", "read_nuages",
-    "read_slice_planes", "read_structure_set", "read_traces", "write_brep", "write_nuages", "write_stl", "write_structure_set",
+    "fair_surface", "implicit_surface", "list_rois", "polyhedral_surface", "read", "read_brep", "read_curve_network",
+    "read_nuages", "read_slice_planes", "read_structure_set", "read_traces", "write_brep", "write_nuages", "write_stl", "write_structure_set",
 ]

@@ -2,6 +2,7 @@
 """The methods, a function a node, with the node's properties as keyword arguments and its defaults."""
 from __future__ import annotations
 
+import math
 import warnings
 from collections.abc import Sequence
 from typing import Any, Optional, Union
@@ -108,6 +109,13 @@ def contour_mapping(contours: ContoursLike, *, OverlapThreshold: float = 0.1, Fo
     return ContourMapping(make_contours(made), made["joins"], made["report"])
 
 
+def warn_of_left_out(data: dict[str, Any]) -> None:
+    """Warns the caller of a method where so many contours are left out that a line in the report is not enough."""
+    if data["LeftOutCount"] > WARN_BEYOND * data["ContourCount"]:
+        warnings.warn(f"{data['LeftOutCount']} of {data['ContourCount']} contours are left out of the surface: "
+                      "its report says why.", ContourWarning, stacklevel=3)
+
+
 def polyhedral_surface(contours: ContoursLike, *, Mapping: Choice = "Overlap", OverlapThreshold: float = 0.1,
                        EndCaps: Choice = "Tapered", IsolatedContours: Choice = "Extrude", InternalPoints: bool = True,
                        LiftInternalPoints: bool = True, ForcedJoins: Pairs = (), ForbiddenJoins: Pairs = (),
@@ -187,10 +195,66 @@ def polyhedral_surface(contours: ContoursLike, *, Mapping: Choice = "Overlap", O
     source = contours_of(contours)
     made = _core.polyhedral_surface(given(source), checked(locals()), progress)
     inherited(made, source)
-    data = made["field_data"]
-    if data["LeftOutCount"] > WARN_BEYOND * data["ContourCount"]:
-        warnings.warn(f"{data['LeftOutCount']} of {data['ContourCount']} contours are left out of the surface: "
-                      "its report says why.", ContourWarning, stacklevel=2)
+    warn_of_left_out(made["field_data"])
+    return make_surface(made)
+
+
+def fair_surface(contours: ContoursLike, *, Tolerance: float = -1, EdgeLength: float = 0, Tension: float = -1,
+                 Mapping: Choice = "Overlap", OverlapThreshold: float = 0.1, EndCaps: Choice = "Tapered",
+                 IsolatedContours: Choice = "Extrude", InternalPoints: bool = True, LiftInternalPoints: bool = True,
+                 ForcedJoins: Pairs = (), ForbiddenJoins: Pairs = (), MaximumGap: float = 5,
+                 AlignLevels: Choice = "Automatic", HoleRule: Choice = "Automatic", OpenLines: Choice = "Leave Out",
+                 PlaneTolerance: float = 0, SnapTolerance: float = 0, Threads: int = 0,
+                 progress: Progress = None) -> Surface:
+    """Make a smooth closed surface near contours on parallel planes, of the topology of `polyhedral_surface`.
+
+    Parameters
+    ----------
+    contours : Contours or sequence of array_like of shape (k, 3)
+        On two or more parallel planes. The decisions of `contour_mapping` are followed where the contours are those
+        that it returned.
+    Tolerance : float, default: -1
+        How far the surface may leave a drawn contour, in the unit of the contours; -1: half a step where contours follow
+        pixels, a twentieth of the slices' distance where they were drawn.
+    EdgeLength : float, default: 0
+        Of the triangles, in the unit of the contours; 0: by the slices' distance, and longer where triangles would be
+        very many.
+    Tension : float, default: -1
+        From 0, as smooth as may be, to 1, as `polyhedral_surface`; -1: automatic.
+    Mapping, OverlapThreshold, EndCaps, IsolatedContours, InternalPoints, LiftInternalPoints : optional
+        See `polyhedral_surface`.
+    ForcedJoins, ForbiddenJoins, MaximumGap, AlignLevels : optional
+        See `polyhedral_surface`.
+    HoleRule, OpenLines, PlaneTolerance, SnapTolerance, progress
+        See `contour_hierarchy`.
+    Threads : int, default: 0
+        0 takes all of the machine; the result is the same for any number.
+
+    Returns
+    -------
+    Surface
+        Closed, oriented outward, manifold, of even triangles. Field data: Tolerance, EdgeLength and Tension that were
+        chosen, FarthestVertex (distance of a contour vertex), BeyondTolerance, ThinTriangles (an angle below 5 degrees),
+        HeldBackPoints (not moved, so that nothing crosses), and those of `polyhedral_surface`.
+
+    Raises
+    ------
+    Error, NothingToDo, Aborted
+        As `polyhedral_surface`.
+
+    Warns
+    -----
+    ContourWarning
+        Where more than a tenth of the contours is left out.
+
+    Notes
+    -----
+    M. Botsch and L. Kobbelt, An intuitive framework for real-time freeform modeling, 2004.
+    """
+    source = contours_of(contours)
+    made = _core.fair_surface(given(source), checked(locals(), Tolerance=(-1, math.inf)), progress)
+    inherited(made, source)
+    warn_of_left_out(made["field_data"])
     return make_surface(made)
 
 

@@ -42,6 +42,8 @@ RANGES: dict[str, tuple[float, float]] = {
     "Smoothing": (0, math.inf),
     "CellSize": (0, math.inf),
     "EndsBeyond": (0, math.inf),
+    "EdgeLength": (0, math.inf),
+    "Tension": (-1, 1),
     "Spacing": (0, math.inf),
     "MaximumCells": (1, math.inf),
     "SmallestArea": (-math.inf, math.inf),

@@ -149,6 +149,10 @@ class ContoursAccessor:
         properties."""
         return self._made(_methods.polyhedral_surface, **properties)
 
+    def fair_surface(self, **properties: Any) -> Data:
+        """A smooth closed surface near the contours: `contour_reconstruction.fair_surface`, which has the properties."""
+        return self._made(_methods.fair_surface, **properties)
+
     def implicit_surface(self, **properties: Any) -> Data:
         """A smooth closed surface: `contour_reconstruction.implicit_surface`, which has the properties."""
         return self._made(_methods.implicit_surface, **properties)

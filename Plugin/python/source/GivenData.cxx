@@ -253,7 +253,10 @@ PolyhedralOptions PolyhedralOptionsOf(const nb::dict& properties)
   options.EndCaps = ChoiceOf<PolyhedralOptions::EndCapsType>(properties, "EndCaps");
   options.IsolatedContours =
     ChoiceOf<PolyhedralOptions::IsolatedContoursType>(properties, "IsolatedContours");
-  options.PinchGap = ValueOf<double>(properties, "PinchGap");
+  if (properties.contains("PinchGap")) // Fair Surface has its own
+  {
+    options.PinchGap = ValueOf<double>(properties, "PinchGap");
+  }
   options.Threads = ValueOf<int>(properties, "Threads");
   return options;
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Polyhedral Surface, Implicit Surface, Implicit Contours and Surface Certificate for Python.
+// Polyhedral Surface, Fair Surface, Implicit Surface, Implicit Contours and Surface Certificate for Python.
 #include "Base/SubMonitor.h"
 #include "Contours/Specks.h"
+#include "Fair/FairSurface.h"
 #include "GivenData.h"
 #include "Implicit/ZeroSet/ContourTracer.h"
 #include "Mesh/CertificateText.h"
@@ -64,7 +65,34 @@ nb::dict FromPolyhedral(Made<PolyhedralSurface> made)
   return result;
 }
 
-nb::dict Polyhedral(const nb::dict& loops, const nb::dict& properties, nb::handle progress)
+nb::dict FromFair(Made<FairSurface> made)
+{
+  FairSurface& surface = made.Output;
+  nb::dict field = LevelsOf(made.Contours);
+  field["ContourCount"] = made.Contours.Contours.size();
+  field["LeftOutCount"] = surface.LeftOut;
+  field["EndCapVolume"] = surface.EndCapVolume;
+  field["IsolatedVolume"] = surface.IsolatedVolume;
+  field["Tolerance"] = surface.Tolerance;
+  field["EdgeLength"] = surface.EdgeLength;
+  field["Tension"] = surface.Tension;
+  field["FarthestVertex"] = surface.Farthest;
+  field["BeyondTolerance"] = surface.Beyond;
+  field["ThinTriangles"] = surface.Thin;
+  field["HeldBackPoints"] = surface.HeldBack;
+  nb::dict result = FromMesh(std::move(surface.Mesh));
+  result["cell_data"] = nb::dict();
+  result["point_data"] = nb::dict();
+  result["field_data"] = field;
+  AddReport(std::move(made.Report), {}, made.Contours.Warning, result);
+  return result;
+}
+
+/// A surface over joins that the properties, or a mapping that the contours carry, may ask for.
+/// @param build (contours, what is joined to what, monitor) -> the surface
+template <typename Surface, typename Build>
+Made<Surface> OverJoins(
+  const nb::dict& loops, const nb::dict& properties, nb::handle progress, const Build& build)
 {
   const LoopSoup soup = SoupOf(loops);
   const ContourSetOptions reading = ContourSetOptionsOf(properties, true);
@@ -73,12 +101,12 @@ nb::dict Polyhedral(const nb::dict& loops, const nb::dict& properties, nb::handl
   ContourMappingOptions joins;
   joins.ForcedJoins = PairsOf(properties, "ForcedJoins");
   joins.ForbiddenJoins = PairsOf(properties, "ForbiddenJoins");
-  return FromPolyhedral(RunWithoutLock(progress,
+  return RunWithoutLock(progress,
     [&](Monitor& monitor)
     {
       SubMonitor cleaning(monitor, 0.0, 0.1);
       SubMonitor building(monitor, 0.1, 1.0);
-      Made<PolyhedralSurface> made;
+      Made<Surface> made;
       made.Contours = BuildContourSet(soup, reading, cleaning);
       made.Report = made.Contours.Report;
       if (carried)
@@ -87,11 +115,34 @@ nb::dict Polyhedral(const nb::dict& loops, const nb::dict& properties, nb::handl
       }
       options.ForcedJoins = joins.ForcedJoins;
       options.ForbiddenJoins = joins.ForbiddenJoins;
-      made.Output = BuildPolyhedralSurface(made.Contours, options, building);
+      made.Output = build(made.Contours, options, building);
       std::vector<std::string>& report = made.Report;
       report.insert(report.end(), made.Output.Report.begin(), made.Output.Report.end());
       CheckNotEmpty(made.Output.Mesh, report);
       return made;
+    });
+}
+
+nb::dict Polyhedral(const nb::dict& loops, const nb::dict& properties, nb::handle progress)
+{
+  return FromPolyhedral(OverJoins<PolyhedralSurface>(loops, properties, progress,
+    [](const ContourSet& contours, PolyhedralOptions options, Monitor& monitor)
+    { return BuildPolyhedralSurface(contours, options, monitor); }));
+}
+
+nb::dict Fair(const nb::dict& loops, const nb::dict& properties, nb::handle progress)
+{
+  FairOptions fair;
+  fair.Tolerance = nb::cast<double>(properties["Tolerance"]);
+  fair.EdgeLength = nb::cast<double>(properties["EdgeLength"]);
+  fair.Tension = nb::cast<double>(properties["Tension"]);
+  return FromFair(OverJoins<FairSurface>(loops, properties, progress,
+    [&](const ContourSet& contours, PolyhedralOptions options, Monitor& monitor)
+    {
+      options.PinchGap = FairPinchGap;
+      fair.Polyhedral = options;
+      fair.Threads = options.Threads;
+      return BuildFairSurface(contours, fair, monitor);
     }));
 }
 
@@ -348,6 +399,8 @@ void BindSurfaces(nb::module_& module)
 {
   module.def("polyhedral_surface", &Polyhedral, nb::arg("loops"), nb::arg("properties"),
     nb::arg("progress").none());
+  module.def(
+    "fair_surface", &Fair, nb::arg("loops"), nb::arg("properties"), nb::arg("progress").none());
   module.def("implicit_surface", &Implicit, nb::arg("loops"), nb::arg("properties"),
     nb::arg("progress").none());
   module.def("contours_on_planes", &OnPlanes, nb::arg("loops"), nb::arg("planes").none(),

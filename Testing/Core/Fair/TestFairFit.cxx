@@ -50,9 +50,8 @@ TEST(FairFit, MoreWeightBringsTheSurfaceWithinTheTolerance)
   Monitor monitor;
   std::vector<Pull> pulls = PullsOf(SurfacePlaces(sphere), samples, options, monitor);
   ASSERT_EQ(pulls.size(), samples.size());
-  FairSystem system(sphere, 1);
   TriangleMesh moved = sphere;
-  moved.Points = SolveWithin(system, sphere, pulls, 0.1, options, monitor);
+  moved.Points = SolveWithin(sphere, pulls, 1, 0.1, options, monitor);
   EXPECT_EQ(MeasureMisfit(moved, samples, options.Tolerance, 1, monitor).Beyond, 0u);
 }
 

@@ -46,7 +46,8 @@ bool IsApart(const Box& box, const Point3& low, const Point3& high)
 std::vector<char> ThinPlaces(
   const std::vector<Point3>& points, const std::vector<Vector3>& normals, double radius)
 {
-  const PointGrid grid(points, radius);
+  // Eight cells around a point instead of 27.
+  const PointGrid grid(points, 2 * radius);
   std::vector<char> thin(points.size(), 0);
   for (std::size_t v = 0; v < points.size(); ++v)
   {
