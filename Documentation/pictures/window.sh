@@ -40,7 +40,7 @@ open("$home/ready", "w").close()
 END
 HOME="$home" PV_PLUGIN_PATH="$1" paraview --script="$home/scene.py" >"$home/log" 2>&1 &
 paraview=$!
-for ((i = 0; i < 60; ++i)); do
+for ((i = 0; i < 150; ++i)); do
   sleep 2
   [[ -f "$home/ready" ]] && break
 done
