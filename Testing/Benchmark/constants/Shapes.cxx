@@ -95,13 +95,13 @@ TriangleMesh ReadOFF(const std::string& path)
   return mesh;
 }
 
-LoopSoup Cut(const TriangleMesh& mesh, int axis, int slices)
+LoopSoup Cut(const TriangleMesh& mesh, int axis, int slices, double phase)
 {
   const Box3 box = BoxOf(mesh);
   LoopSoup soup;
   for (int s = 0; s < slices; ++s)
   {
-    const double height = box.Low[axis] + (s + 0.5) / slices * box.Extent(axis);
+    const double height = box.Low[axis] + (s + phase) / slices * box.Extent(axis);
     std::map<std::pair<int, int>, int> pointOfEdge;
     const auto pointOn = [&](int a, int b)
     {

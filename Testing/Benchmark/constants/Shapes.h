@@ -16,8 +16,9 @@ namespace recon::shapes
 /// An .off file of triangles. @throws Error
 TriangleMesh ReadOFF(const std::string& path);
 
-/// Sections at the middles of so many equal slices along an axis, as loose segments.
-LoopSoup Cut(const TriangleMesh& mesh, int axis, int slices);
+/// Sections of so many equal slices along an axis, as loose segments.
+/// @param phase where in its slice a section lies: 0.5, in the middle
+LoopSoup Cut(const TriangleMesh& mesh, int axis, int slices, double phase);
 
 struct Deviation
 {

@@ -4,7 +4,9 @@
  * @brief What half and double of every tuned constant of the core make of shapes whose truth is known.
  *
  *   bench_constants FOLDER_OF_MESHES [--half first|second] [--scene TEXT] [--shapes N] [--only TEXT,TEXT,...]
- *     [--factors A,B,...]
+ *     [--factors A,B,...] [--phase P]
+ *
+ * Phase says where in their slices the sections lie, 0.5 by default: in the middle, so that shapes end half a slice beyond.
  *
  * A scene is one way through the core on one shape; shapes are in two halves, so that what is chosen on the one can be
  * held against the other. Of each scene's constants (those that it is seen to read) each is scaled in turn,
@@ -52,6 +54,7 @@ struct Shape
   const char* Name;
   int Axis;
   const char* Half;
+  double Phase = 0.5; ///< of the sections in their slices
 };
 
 const std::vector<Shape> Shapes{ { "femur", 2, "first" }, { "knot2", 0, "first" },
@@ -130,7 +133,7 @@ ContourSet ContoursOf(const TriangleMesh& truth, const Shape& shape, int slices,
   Monitor monitor;
   ContourSetOptions options;
   options.Parallel = parallel;
-  return BuildContourSet(shapes::Cut(truth, shape.Axis, slices), options, monitor);
+  return BuildContourSet(shapes::Cut(truth, shape.Axis, slices, shape.Phase), options, monitor);
 }
 
 /// Polyhedral Surface as its node does it.
@@ -304,7 +307,8 @@ void Untidy(const TriangleMesh& truth, const Shape& shape, Outcome& outcome)
   {
     box.Add(p);
   }
-  const LoopSoup soup = Untidied(shapes::Cut(truth, shape.Axis, 24), Norm(box.High - box.Low));
+  const LoopSoup soup =
+    Untidied(shapes::Cut(truth, shape.Axis, 24, shape.Phase), Norm(box.High - box.Low));
   ContourSetOptions options;
   options.OpenLines = OpenLineRule::Chord;
   const ContourSet contours = BuildContourSet(soup, options, monitor);
@@ -466,6 +470,7 @@ struct Settings
   std::string Folder, Half, SceneName, Only;
   std::size_t ShapesAHalf = 3; ///< no more of each half than this
   std::vector<double> Factors{ 0.5, 2 };
+  double Phase = 0.5;
 };
 
 /// Whether a name has one of the texts in it, which commas part.
@@ -540,6 +545,10 @@ Settings Parse(int argc, char** argv)
     {
       settings.ShapesAHalf = std::strtoul(argv[i + 1], nullptr, 10);
     }
+    else if (option == "--phase")
+    {
+      settings.Phase = std::strtod(argv[i + 1], nullptr);
+    }
     else if (option == "--factors")
     {
       settings.Factors.clear();
@@ -569,7 +578,9 @@ void Run(const Settings& settings)
       {
         continue;
       }
-      Sweep(scene, shape, shapes::ReadOFF(settings.Folder + "/" + shape.Name + ".off"), settings);
+      Shape cut = shape;
+      cut.Phase = settings.Phase;
+      Sweep(scene, cut, shapes::ReadOFF(settings.Folder + "/" + shape.Name + ".off"), settings);
     }
   }
 }
