@@ -57,48 +57,7 @@ void FillOutputs(const recon::ContourSet& set, const recon::ContourMapping& mapp
 
 vtkContourMapping::vtkContourMapping()
 {
-  this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(2);
-}
-
-void vtkContourMapping::SetOverridesConnection(vtkAlgorithmOutput* overrides)
-{
-  this->SetInputConnection(1, overrides);
-}
-
-void vtkContourMapping::AddForcedJoin(int contour, int otherContour)
-{
-  this->ForcedJoins.emplace_back(contour, otherContour);
-  this->Modified();
-}
-
-void vtkContourMapping::RemoveAllForcedJoins()
-{
-  this->ForcedJoins.clear();
-  this->Modified();
-}
-
-void vtkContourMapping::AddForbiddenJoin(int contour, int otherContour)
-{
-  this->ForbiddenJoins.emplace_back(contour, otherContour);
-  this->Modified();
-}
-
-void vtkContourMapping::RemoveAllForbiddenJoins()
-{
-  this->ForbiddenJoins.clear();
-  this->Modified();
-}
-
-int vtkContourMapping::FillInputPortInformation(int port, vtkInformation* info)
-{
-  if (port == 0)
-  {
-    return this->Superclass::FillInputPortInformation(port, info);
-  }
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkTable");
-  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  return 1;
 }
 
 int vtkContourMapping::FillOutputPortInformation(int port, vtkInformation* info)
@@ -118,45 +77,16 @@ int vtkContourMapping::RequestData(
   return recon::RunCore(this, input, recon::NeedsContours, { output, joins },
     [&]
     {
-      recon::ContourMappingOptions options;
-      options.OverlapThreshold = this->OverlapThreshold;
-      options.MaximumGap = this->MaximumGap;
-      options.ForcedJoins = this->ForcedJoins;
-      options.ForbiddenJoins = this->ForbiddenJoins;
-      options.Threads = this->Threads;
-      if (overrides)
-      {
-        recon::ReadJoinOverrides(overrides, options);
-      }
+      const recon::ContourMappingOptions options = this->GetMappingOptions(overrides);
       vtkContourMonitor cleaning(this, 0.0, 0.3);
       const recon::ContourSet set = this->ReadContours(input, true, cleaning);
       vtkContourMonitor mapping(this, 0.3, 1.0);
       // As Polyhedral Surface does, so that both come to the same decisions.
       const recon::LevelAlignment alignment = recon::FindLevelAlignment(
-        set, static_cast<recon::LevelAlignmentMode>(this->AlignLevels), options.ForcedJoins);
+        set, static_cast<recon::LevelAlignmentMode>(this->GetAlignLevels()), options.ForcedJoins);
       recon::ContourMapping mapped =
         recon::BuildContourMapping(recon::Aligned(set, alignment), options, mapping);
       mapped.Report.insert(mapped.Report.begin(), alignment.Report.begin(), alignment.Report.end());
       FillOutputs(set, mapped, input, output, joins);
     });
-}
-
-void vtkContourMapping::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "OverlapThreshold: " << this->OverlapThreshold << endl;
-  os << indent << "MaximumGap: " << this->MaximumGap << endl;
-  os << indent << "AlignLevels: " << this->AlignLevels << endl;
-  os << indent << "Threads: " << this->Threads << endl;
-  const auto print = [&](const char* name, const std::vector<std::pair<int, int>>& pairs)
-  {
-    os << indent << name << ":";
-    for (const auto& pair : pairs)
-    {
-      os << " (" << pair.first << ", " << pair.second << ")";
-    }
-    os << endl;
-  };
-  print("ForcedJoins", this->ForcedJoins);
-  print("ForbiddenJoins", this->ForbiddenJoins);
 }

@@ -37,65 +37,18 @@
 #define vtkContourMapping_h
 
 #include "ContourFiltersModule.h" // for export macro
-#include "vtkContourSetAlgorithm.h"
+#include "vtkContourJoinAlgorithm.h"
 
-#include <utility> // for std::pair
-#include <vector>  // for std::vector
-
-class CONTOURFILTERS_EXPORT vtkContourMapping : public vtkContourSetAlgorithm
+class CONTOURFILTERS_EXPORT vtkContourMapping : public vtkContourJoinAlgorithm
 {
 public:
   static vtkContourMapping* New();
-  vtkTypeMacro(vtkContourMapping, vtkContourSetAlgorithm);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  /// The table of overrides; optional.
-  void SetOverridesConnection(vtkAlgorithmOutput* overrides);
-
-  ///@{
-  /// Share of the smaller region's area that two regions must have in common. 0.1 by default.
-  vtkSetClampMacro(OverlapThreshold, double, 0.0, 1.0);
-  vtkGetMacro(OverlapThreshold, double);
-  ///@}
-
-  ///@{
-  /**
-   * Pairs of contours on adjacent levels (by ContourId, in either order; two outer walls or two
-   * walls of holes) that are joined, or not, whatever they share. Forbidding wins over forcing.
-   */
-  void AddForcedJoin(int contour, int otherContour);
-  void RemoveAllForcedJoins();
-  void AddForbiddenJoin(int contour, int otherContour);
-  void RemoveAllForbiddenJoins();
-  ///@}
-
-  ///@{
-  /**
-   * Levels further apart than this many times the spacing beside them are not joined, but where it is
-   * forced; 0: all are. Default 5, as of vtkPolyhedralSurface.
-   */
-  vtkSetClampMacro(MaximumGap, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(MaximumGap, double);
-  ///@}
-
-  ///@{
-  /// Shift levels of oblique shapes onto one another before they are compared, as
-  /// vtkPolyhedralSurface does: 0 off, 1 automatic (default), 2 on.
-  vtkSetClampMacro(AlignLevels, int, 0, 2);
-  vtkGetMacro(AlignLevels, int);
-  ///@}
-
-  ///@{
-  /// Number of threads; 0 (the default) takes all of the machine. The result does not depend on it.
-  vtkSetClampMacro(Threads, int, 0, 1024);
-  vtkGetMacro(Threads, int);
-  ///@}
+  vtkTypeMacro(vtkContourMapping, vtkContourJoinAlgorithm);
 
 protected:
   vtkContourMapping();
   ~vtkContourMapping() override = default;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
@@ -103,13 +56,6 @@ protected:
 private:
   vtkContourMapping(const vtkContourMapping&) = delete;
   void operator=(const vtkContourMapping&) = delete;
-
-  double OverlapThreshold = 0.1;
-  double MaximumGap = 5;
-  int AlignLevels = 1;
-  int Threads = 0;
-  std::vector<std::pair<int, int>> ForcedJoins;
-  std::vector<std::pair<int, int>> ForbiddenJoins;
 };
 
 #endif

@@ -47,7 +47,7 @@ int vtkImplicitConstraints::RequestData(
       const recon::ContourSet contours = this->ReadContoursOfSolid(input, false, cleaning);
       vtkContourMonitor placing(this, 0.1, 1.0);
       recon::FunctionOptions fitting;
-      fitting.Threads = this->Threads;
+      fitting.Threads = this->GetThreads();
       const recon::ConstraintSet constraints =
         ConstraintsOf(contours, recon::ConstraintOptionsOf(this), fitting, placing);
       recon::ToPolyData(constraints, output);
@@ -56,22 +56,4 @@ int vtkImplicitConstraints::RequestData(
       report.insert(report.end(), constraints.Report.begin(), constraints.Report.end());
       recon::FinishOutput(input, report, output);
     });
-}
-
-//------------------------------------------------------------------------------
-void vtkImplicitConstraints::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "Mode: " << this->Mode << "\n";
-  os << indent << "Values: " << this->Values << "\n";
-  os << indent << "Normals: " << this->Normals << "\n";
-  os << indent << "MarginDistance: " << this->MarginDistance << "\n";
-  os << indent << "ReachAcrossSteps: " << this->ReachAcrossSteps << "\n";
-  os << indent << "MergeBox: " << this->MergeBox << "\n";
-  os << indent << "ThinOut: " << this->ThinOut << "\n";
-  os << indent << "FillLongEdges: " << this->FillLongEdges << "\n";
-  os << indent << "FollowDrawnPlanes: " << this->FollowDrawnPlanes << "\n";
-  os << indent << "ResampleSpacing: " << this->ResampleSpacing << "\n";
-  os << indent << "ResampleTolerance: " << this->ResampleTolerance << "\n";
-  os << indent << "Threads: " << this->Threads << "\n";
 }

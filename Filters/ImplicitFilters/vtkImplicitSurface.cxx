@@ -59,17 +59,6 @@ void vtkImplicitSurface::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Detail: " << this->Detail << "\n";
-  os << indent << "Mode: " << this->Mode << "\n";
-  os << indent << "Values: " << this->Values << "\n";
-  os << indent << "Normals: " << this->Normals << "\n";
-  os << indent << "MarginDistance: " << this->MarginDistance << "\n";
-  os << indent << "ReachAcrossSteps: " << this->ReachAcrossSteps << "\n";
-  os << indent << "MergeBox: " << this->MergeBox << "\n";
-  os << indent << "ThinOut: " << this->ThinOut << "\n";
-  os << indent << "FillLongEdges: " << this->FillLongEdges << "\n";
-  os << indent << "FollowDrawnPlanes: " << this->FollowDrawnPlanes << "\n";
-  os << indent << "ResampleSpacing: " << this->ResampleSpacing << "\n";
-  os << indent << "ResampleTolerance: " << this->ResampleTolerance << "\n";
   os << indent << "Kernel: " << this->Kernel << "\n";
   os << indent << "SupportRadius: " << this->SupportRadius << "\n";
   os << indent << "Solver: " << this->Solver << "\n";
@@ -89,5 +78,4 @@ void vtkImplicitSurface::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CleanUp: " << this->CleanUp << "\n";
   os << indent << "SnapToContours: " << this->SnapToContours << "\n";
   os << indent << "MaximumCells: " << this->MaximumCells << "\n";
-  os << indent << "Threads: " << this->Threads << "\n";
 }
