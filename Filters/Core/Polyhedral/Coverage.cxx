@@ -2,6 +2,7 @@
 #include "Polyhedral/Coverage.h"
 
 #include "Polyhedral/VertexStars.h"
+#include "Polyhedral/VoronoiSkeleton.h"
 
 #include <algorithm>
 #include <cmath>
@@ -105,16 +106,16 @@ std::vector<Point2> FindCoverPoints(
   return points;
 }
 
-std::vector<Point2> FindEndCapPoints(const LevelTriangulation& level, const Coverage& coverage)
+std::vector<Point2> FindEndCapPoints(
+  const LevelTriangulation& level, const Coverage& coverage, double unit)
 {
+  const std::vector<unsigned char> inSkeleton = FindInternalSkeleton(level, unit);
   std::vector<Point2> points;
   for (std::size_t t = 0; t < level.Triangles.size(); ++t)
   {
-    const Point2 p = level.VoronoiVertex(static_cast<int>(t));
-    if (level.Inside[t] && coverage.Ends[t] && !coverage.Isolated[t] && std::isfinite(p[0]) &&
-      std::isfinite(p[1]))
+    if (inSkeleton[t] && coverage.Ends[t] && !coverage.Isolated[t])
     {
-      points.push_back(p);
+      points.push_back(level.VoronoiVertex(static_cast<int>(t)));
     }
   }
   std::sort(points.begin(), points.end());

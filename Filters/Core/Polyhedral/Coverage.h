@@ -48,9 +48,10 @@ Coverage FindCoverage(const LevelTriangulation& level, const SlabTetrahedra* bel
 std::vector<Point2> FindCoverPoints(
   const LevelTriangulation& level, const Coverage& coverage, const LiftedHeights& lifted);
 
-/// Vertices of the internal Voronoi skeleton in regions that end on some side and are not isolated:
-/// points for a tapered end.
-std::vector<Point2> FindEndCapPoints(const LevelTriangulation& level, const Coverage& coverage);
+/// Vertices of the internal Voronoi skeleton (VoronoiSkeleton.h) in regions that end on some side
+/// and are not isolated: points for a tapered end. unit: of the last decimal of the points.
+std::vector<Point2> FindEndCapPoints(
+  const LevelTriangulation& level, const Coverage& coverage, double unit);
 }
 
 #endif

@@ -6,6 +6,7 @@
 #include "Contours/PlanarRings.h"
 #include "Polyhedral/ConformingRefinement.h"
 #include "Polyhedral/ConstrainedDelaunay.h"
+#include "Polyhedral/NeedleContours.h"
 
 #include <CGAL/spatial_sort.h>
 
@@ -34,11 +35,8 @@ constexpr std::size_t ForGabrielAPoint = 20;
 /// Conditions 0 and 1 alone take far fewer points; beyond that a level cannot be had at all.
 constexpr std::size_t LeastForDelaunay = 4000;
 constexpr std::size_t ForDelaunayAPoint = 100;
-
-Point2 FromCGAL(const Kernel::Point_2& p)
-{
-  return { p.x(), p.y() };
-}
+/// More needles than this are not looked for, as every one takes another attempt.
+constexpr std::size_t MostNeedles = 16;
 
 /// The circle with the edge as diameter holds p. On the circle the angle at p is right, which
 /// condition 2 allows: the middle of a square, without which its end could not be tapered.
@@ -97,6 +95,8 @@ struct LevelTriangulator::Implementation
 {
   const ContourSet& Contours;
   const Level& OfLevel;
+  std::vector<int> Wanted; ///< contours of the level but for the needles that were given up
+  std::vector<int> Needles;
   Triangulation Delaunay;
   double Diagonal = 0;
   std::size_t GivenPoints = 0; ///< of the contours, and inserted inside
@@ -105,14 +105,20 @@ struct LevelTriangulator::Implementation
 
   Implementation(const ContourSet& contours, int level)
     : Contours(contours),
-      OfLevel(contours.Levels[level])
+      OfLevel(contours.Levels[level]),
+      Wanted(OfLevel.Contours)
   {
   }
 
   std::vector<VertexHandle> InsertContourVertices();
   void InsertContourEdges();
+  void Begin();
   void Conform();
-  std::size_t MaximumForDelaunay() const;
+  void GiveUpNeedle(const RefinementOutcome& outcome);
+  std::size_t MaximumForDelaunay() const
+  {
+    return LeastForDelaunay + ForDelaunayAPoint * this->GivenPoints;
+  }
   std::string DescribeProblem(const RefinementOutcome& outcome) const;
   void ClassifyFaces();
   void LabelContourEdges();
@@ -130,7 +136,7 @@ std::vector<VertexHandle> LevelTriangulator::Implementation::InsertContourVertic
 {
   std::vector<std::pair<Kernel::Point_2, VertexInfo>> points;
   CGAL::Bbox_2 box;
-  for (int c : this->OfLevel.Contours)
+  for (int c : this->Wanted)
   {
     for (int p : this->Contours.Contours[c].Points)
     {
@@ -161,7 +167,7 @@ std::vector<VertexHandle> LevelTriangulator::Implementation::InsertContourVertic
 
 void LevelTriangulator::Implementation::InsertContourEdges()
 {
-  for (int c : this->OfLevel.Contours)
+  for (int c : this->Wanted)
   {
     const auto& points = this->Contours.Contours[c].Points;
     for (std::size_t i = 0; i < points.size(); ++i)
@@ -195,9 +201,7 @@ void LevelTriangulator::Implementation::Conform()
     this->IsGabriel = outcome.Problem == RefinementOutcome::None;
     if (!this->IsGabriel && !this->Conformed)
     {
-      this->Delaunay.clear();
-      this->VertexOf = this->InsertContourVertices();
-      this->InsertContourEdges();
+      this->Begin();
     }
   }
   if (!this->IsGabriel)
@@ -205,16 +209,39 @@ void LevelTriangulator::Implementation::Conform()
     const RefinementOutcome outcome = RefineToDelaunay(this->Delaunay, this->MaximumForDelaunay());
     if (outcome.Problem != RefinementOutcome::None)
     {
-      throw Error(this->DescribeProblem(outcome));
+      this->GiveUpNeedle(outcome);
+      this->Conform();
+      return;
     }
   }
   this->Conformed = true;
   this->ClassifyFaces();
 }
 
-std::size_t LevelTriangulator::Implementation::MaximumForDelaunay() const
+void LevelTriangulator::Implementation::Begin()
 {
-  return LeastForDelaunay + ForDelaunayAPoint * this->GivenPoints;
+  this->Delaunay.clear();
+  this->VertexOf = this->InsertContourVertices();
+  this->InsertContourEdges();
+}
+
+/// Begins again without a needle at the place of the problem. @throws Error where there is none.
+void LevelTriangulator::Implementation::GiveUpNeedle(const RefinementOutcome& outcome)
+{
+  const std::vector<int> needle = this->Conformed || this->Needles.size() >= MostNeedles
+    ? std::vector<int>()
+    : FindNeedle(this->Contours, this->Wanted, outcome.Place);
+  if (needle.empty() || needle.size() == this->Wanted.size())
+  {
+    throw Error(this->DescribeProblem(outcome));
+  }
+  this->Needles.insert(this->Needles.end(), needle.begin(), needle.end());
+  for (int c : needle)
+  {
+    this->Wanted.erase(std::find(this->Wanted.begin(), this->Wanted.end(), c));
+  }
+  this->IsGabriel = true;
+  this->Begin();
 }
 
 std::string LevelTriangulator::Implementation::DescribeProblem(
@@ -263,7 +290,7 @@ void LevelTriangulator::Implementation::LabelContourEdges()
   {
     f->info().EdgeContour = { { -1, -1, -1 } };
   }
-  for (int c : this->OfLevel.Contours)
+  for (int c : this->Wanted)
   {
     const auto& points = this->Contours.Contours[c].Points;
     for (std::size_t i = 0; i < points.size(); ++i)
@@ -410,8 +437,7 @@ bool LevelTriangulator::Implementation::IsWithinRounding(
 LevelTriangulator::LevelTriangulator(const ContourSet& contours, int level)
   : Impl(std::make_unique<Implementation>(contours, level))
 {
-  this->Impl->VertexOf = this->Impl->InsertContourVertices();
-  this->Impl->InsertContourEdges();
+  this->Impl->Begin();
   this->Impl->Conform();
 }
 
@@ -419,19 +445,14 @@ LevelTriangulator::~LevelTriangulator() = default;
 LevelTriangulator::LevelTriangulator(LevelTriangulator&&) noexcept = default;
 LevelTriangulator& LevelTriangulator::operator=(LevelTriangulator&&) noexcept = default;
 
+const std::vector<int>& LevelTriangulator::Needles() const
+{
+  return this->Impl->Needles;
+}
+
 bool LevelTriangulator::HasCondition2() const
 {
   return this->Impl->IsGabriel;
-}
-
-std::vector<Point2> LevelTriangulator::ExternalVoronoiVertices() const
-{
-  return this->VoronoiVertices(false);
-}
-
-std::vector<Point2> LevelTriangulator::InternalVoronoiVertices() const
-{
-  return this->VoronoiVertices(true);
 }
 
 std::vector<int> LevelTriangulator::Locate(const std::vector<Point2>& points) const
@@ -444,27 +465,6 @@ std::vector<int> LevelTriangulator::Locate(const std::vector<Point2>& points) co
     triangles.push_back(this->Impl->Delaunay.is_infinite(hint) ? -1 : hint->info().Index);
   }
   return triangles;
-}
-
-std::vector<Point2> LevelTriangulator::VoronoiVertices(bool inside) const
-{
-  std::vector<Point2> vertices;
-  for (auto f : this->Impl->Delaunay.finite_face_handles())
-  {
-    if (f->info().Inside != inside)
-    {
-      continue;
-    }
-    const Point2 p = Circumcentre(FromCGAL(f->vertex(0)->point()), FromCGAL(f->vertex(1)->point()),
-      FromCGAL(f->vertex(2)->point()));
-    if (std::isfinite(p[0]) && std::isfinite(p[1]))
-    {
-      vertices.push_back(p);
-    }
-  }
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-  return vertices;
 }
 
 void LevelTriangulator::AddInternalPoints(
@@ -549,7 +549,7 @@ LevelTriangulation LevelTriangulator::Finish() const
   for (auto v : impl.Delaunay.finite_vertex_handles())
   {
     v->info().Index = static_cast<int>(out.Points.size());
-    out.Points.push_back(FromCGAL(v->point()));
+    out.Points.push_back({ v->point().x(), v->point().y() });
     out.Source.push_back(v->info().Source);
     out.Kind.push_back(v->info().Kind);
     out.AskedBy.push_back(v->info().AskedBy);

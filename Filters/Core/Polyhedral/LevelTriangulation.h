@@ -71,7 +71,8 @@ Point2 Circumcentre(const Point2& a, const Point2& b, const Point2& c);
 class LevelTriangulator
 {
 public:
-  /// Algorithms 4 and 5. @throws Error where CGAL cannot refine (named with the level's offset).
+  /// Algorithms 4 and 5. @throws Error where contours run too near to each other that are no
+  /// needles (named with the place).
   LevelTriangulator(const ContourSet& contours, int level);
   ~LevelTriangulator();
   LevelTriangulator(LevelTriangulator&&) noexcept;
@@ -81,11 +82,8 @@ public:
   /// other: such a level has conditions 0 and 1 only.
   bool HasCondition2() const;
 
-  /// Vertices of the external Voronoi skeleton, rounded; without repetitions, in a fixed order.
-  std::vector<Point2> ExternalVoronoiVertices() const;
-
-  /// The same of the internal Voronoi skeleton.
-  std::vector<Point2> InternalVoronoiVertices() const;
+  /// Contours that were given up, as the level cannot be had with them (NeedleContours.h).
+  const std::vector<int>& Needles() const;
 
   /// Of every point the triangle of the last Finish() that holds it, -1 outside the hull; nothing
   /// may have been inserted since.
@@ -114,7 +112,6 @@ public:
   LevelTriangulation Finish() const;
 
 private:
-  std::vector<Point2> VoronoiVertices(bool inside) const;
   void AddPoints(const std::vector<Point2>& candidates, LevelTriangulation::AskedByType askedBy);
 
   struct Implementation;

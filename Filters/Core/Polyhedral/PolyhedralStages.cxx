@@ -7,9 +7,11 @@
 #include "Polyhedral/Lifting.h"
 #include "Polyhedral/LiftTargets.h"
 #include "Polyhedral/MapSlabs.h"
+#include "Polyhedral/NeedleContours.h"
 #include "Polyhedral/NeighbourPlaces.h"
 #include "Polyhedral/PartialEnds.h"
 #include "Polyhedral/StageRunner.h"
+#include "Polyhedral/VoronoiSkeleton.h"
 
 #include <algorithm>
 #include <array>
@@ -45,6 +47,7 @@ public:
       Runner(options.Threads, monitor, progressEnd)
   {
     this->Levels.resize(contours.Levels.size());
+    this->Units.resize(contours.Levels.size());
     for (std::size_t i = 0; i < this->Levels.size(); ++i)
     {
       this->Levels[i].Offset = contours.Levels[i].Offset;
@@ -67,6 +70,7 @@ public:
     this->Runner.Timed("triangulate levels", [&] { this->TriangulateLevels(); });
     this->Runner.Timed("insert internal points", [&] { this->InsertInternalPoints(); });
     this->BuildSlabs();
+    this->ReportNeedles();
     ReportLevelsWithoutCondition2(this->Levels, this->Out.Report);
     ReportJoinsNotMade(this->Out.Mapping, this->Levels, this->Slabs, this->Out.Report);
     ReportContoursLeftOut(this->Contours, this->Levels, this->Options, this->Out.Report);
@@ -79,7 +83,21 @@ private:
   {
     this->Runner.ForAll(this->Levels.size(), 0, 0.3, "triangulating slices",
       [&](int i)
-      { this->Levels[i].Triangulator = std::make_unique<LevelTriangulator>(this->Contours, i); });
+      {
+        this->Levels[i].Triangulator = std::make_unique<LevelTriangulator>(this->Contours, i);
+        this->Units[i] = UnitOfLevel(this->Contours, i);
+      });
+  }
+
+  void ReportNeedles()
+  {
+    for (const LevelState& level : this->Levels)
+    {
+      for (int contour : level.Triangulator->Needles())
+      {
+        this->Out.Report.push_back(DescribeNeedle(this->Contours, contour));
+      }
+    }
   }
 
   bool RoundsOffPartialEnds() const
@@ -97,10 +115,11 @@ private:
         [&](int i)
         {
           LevelState& level = this->Levels[i];
-          skeletons[i] = level.Triangulator->ExternalVoronoiVertices();
+          const LevelTriangulation drawn = level.Triangulator->Finish();
+          skeletons[i] = ExternalSkeletonVertices(drawn, this->Units[i]);
           if (this->RoundsOffPartialEnds())
           {
-            level.InternalSkeleton = level.Triangulator->InternalVoronoiVertices();
+            level.InternalSkeleton = InternalSkeletonVertices(drawn, this->Units[i]);
           }
         });
     }
@@ -307,7 +326,7 @@ private:
           [&](int i)
           {
             const bool anyEnds = partialEnds && this->AddPartialEnds(i, ends);
-            this->AddCapAndCoverPoints(this->Levels[i], taper, anyEnds);
+            this->AddCapAndCoverPoints(this->Levels[i], this->Units[i], taper, anyEnds);
           });
       });
     return std::any_of(this->Levels.begin(), this->Levels.end(),
@@ -315,12 +334,12 @@ private:
   }
 
   /// anyEnds: the triangulator was changed already.
-  static void AddCapAndCoverPoints(LevelState& level, bool taper, bool anyEnds)
+  static void AddCapAndCoverPoints(LevelState& level, double unit, bool taper, bool anyEnds)
   {
     const std::vector<Point2> bare =
       FindCoverPoints(level.Triangulation, level.Covered, level.Lifted);
     const std::vector<Point2> caps =
-      taper ? FindEndCapPoints(level.Triangulation, level.Covered) : std::vector<Point2>();
+      taper ? FindEndCapPoints(level.Triangulation, level.Covered, unit) : std::vector<Point2>();
     level.Changed = anyEnds || !bare.empty() || !caps.empty();
     if (!level.Changed)
     {
@@ -338,6 +357,7 @@ private:
   const PolyhedralOptions& Options;
   TetrahedraWanted Wanted;
   StageRunner Runner;
+  std::vector<double> Units; ///< of the last decimal of each level's contours
   PolyhedralStages Out;
   std::vector<LevelState>& Levels = Out.Levels;
   std::vector<SlabState>& Slabs = Out.Slabs;

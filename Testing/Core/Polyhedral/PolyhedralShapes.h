@@ -11,6 +11,7 @@
 #include "Core/Contours/SoupMaker.h"
 #include "Polyhedral/LevelTriangulation.h"
 #include "Polyhedral/PolyhedralSurface.h"
+#include "Polyhedral/VoronoiSkeleton.h"
 
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -196,7 +197,7 @@ inline std::vector<LevelTriangulation> TriangulateLevels(
   for (int l = 0; l < count; ++l)
   {
     triangulators.emplace_back(contours, l);
-    skeletons.push_back(triangulators.back().ExternalVoronoiVertices());
+    skeletons.push_back(ExternalSkeletonVertices(triangulators.back().Finish(), 0));
   }
   std::vector<LevelTriangulation> levels;
   for (int l = 0; l < count; ++l)

@@ -183,7 +183,7 @@ TEST(LevelTriangulation, InsertsEveryInternalPointThatMayBe)
   const ContourSet contours = BuildStack({ { RegularPolygon(60, 4) },
     { RegularPolygon(30, 1.5, 0.1, { -2, 0 }), RegularPolygon(30, 1.5, 0.2, { 2, 0 }) } });
   LevelTriangulator lower(contours, 0);
-  const auto candidates = LevelTriangulator(contours, 1).ExternalVoronoiVertices();
+  const auto candidates = ExternalSkeletonVertices(LevelTriangulator(contours, 1).Finish(), 0);
   lower.AddInternalPoints(candidates, LevelTriangulation::LevelAbove);
   const auto level = lower.Finish();
   ExpectSoundLevel(level, contours, 0);
