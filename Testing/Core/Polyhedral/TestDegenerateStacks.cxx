@@ -14,9 +14,3 @@ TEST(DegenerateStacks, AFewTilted)
 {
   ExpectSoundDegenerateStacks(1, 40, StackFrame::Tilted);
 }
-
-// Needles a little wider than what is snapped together took more points than a level may have.
-TEST(DegenerateStacks, NeedlesBesideNeedles)
-{
-  ExpectSoundDegenerateStack(1433);
-}

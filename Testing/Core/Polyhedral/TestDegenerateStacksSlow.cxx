@@ -14,3 +14,9 @@ TEST(DegenerateStacks, FiveThousandTiltedStacks)
 {
   ExpectSoundDegenerateStacks(1001, 6000, StackFrame::Tilted);
 }
+
+// Needles a little wider than what is snapped together took more points than a level may have.
+TEST(DegenerateStacks, NeedlesBesideNeedles)
+{
+  ExpectSoundDegenerateStack(1433);
+}

@@ -135,7 +135,7 @@ TEST(VoronoiSkeleton, KeepsWhatStandsOut)
   {
     const double angle = FullTurn * finger / 5;
     const double tip = 14 + std::cos(2 * angle);
-    const Point2 near{ (tip - 1) * std::cos(angle), (tip - 1) * std::sin(angle) };
+    const Point2 near{ (tip - 3) * std::cos(angle), (tip - 3) * std::sin(angle) };
     EXPECT_TRUE(
       std::any_of(left.begin(), left.end(), [&](const Point2& p) { return Distance(p, near) < 1; }))
       << "finger " << finger;
