@@ -3,6 +3,7 @@
 
 #include "Base/NamedMonitor.h"
 #include "Base/Text.h"
+#include "Implicit/Constraints/DrawnCounts.h"
 #include "Implicit/Constraints/DrawnSections.h"
 #include "Implicit/Constraints/NearConstraints.h"
 #include "Implicit/ZeroSet/Polygonizer.h"
@@ -20,8 +21,9 @@ public:
     const FunctionOptions& functionOptions, ContourFit& fit)
     : Result(fit),
       Function(functionOptions),
-      Sections(drawn, constraintOptions.EmptyPlanes, ChooseCellSize(PlacesOf(drawn), 0),
-        constraintOptions.Sections),
+      Drawn(drawn),
+      Cell(ChooseCellSize(PlacesOf(drawn), 0)),
+      Sections(drawn, constraintOptions.EmptyPlanes, Cell, constraintOptions.Sections),
       MostPlaces(drawn.Points.size() + PlacesPerLevel * drawn.Levels.size())
   {
   }
@@ -52,6 +54,7 @@ public:
       wrong = this->Compare(round + 1, fitting);
     }
     this->Say(added, before, wrong);
+    this->SayOtherCounts(monitor);
   }
 
 private:
@@ -122,8 +125,45 @@ private:
     }
   }
 
+  std::vector<OtherCount> OtherCounts(Monitor& monitor)
+  {
+    try
+    {
+      AbortMonitor stop(monitor);
+      return FindOtherCounts(this->Drawn, this->Result.Function, PlacesOf(this->Result.Contours),
+        this->Cell, this->Function.Threads, stop);
+    }
+    catch (const Error& error)
+    {
+      // What there is to say is no reason to have no surface.
+      this->Result.Constraints.Report.push_back(
+        std::string("The number of contours on drawn planes was not looked at: ") + error.what());
+      return {};
+    }
+  }
+
+  void SayOtherCounts(Monitor& monitor)
+  {
+    const std::vector<OtherCount> others = this->OtherCounts(monitor);
+    std::vector<std::string> names;
+    for (const OtherCount& other : others)
+    {
+      names.push_back(Text(other.Height) + " (" + std::to_string(other.Drawn) + " drawn, " +
+        std::to_string(other.Traced) + " there)");
+    }
+    if (!names.empty())
+    {
+      this->Result.Constraints.Report.push_back(
+        "The surface has another number of contours than was drawn at " + Listed(names, MostNamed) +
+        " along the stack: those with a thin wall between them grow together there, or a thin neck "
+        "parts. Polyhedral Surface keeps both.");
+    }
+  }
+
   ContourFit& Result;
   const FunctionOptions& Function;
+  const ContourSet& Drawn;
+  const double Cell;
   const DrawnSections Sections;
   const std::size_t MostPlaces;
 };
