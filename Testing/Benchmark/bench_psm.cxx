@@ -17,6 +17,7 @@
 #include "NUAGES/NUAGESParser.h"
 #include "Polyhedral/PolyhedralStages.h"
 #include "Polyhedral/PolyhedralSurface.h"
+#include "TestPaths.h"
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -45,13 +46,13 @@ struct Case
 };
 
 const std::vector<Case> Cases{
-  { "head", CONTOUR_SOURCE_DIR "/Data/head.cnt", "" },
-  { "brain", CONTOUR_SOURCE_DIR "/Data/brain.cnt", "" },
-  { "Lt Lung", CONTOUR_SHARED_DATA "/rtstruct/dicompyler_rtss.dcm", "Lt Lung" },
-  { "BODY", CONTOUR_SHARED_DATA "/rtstruct/dicompyler_rtss.dcm", "BODY" },
-  { "amygdala", CONTOUR_SHARED_DATA "/cnt/amygdala_label3.cnt", "" },
-  { "sainthelens", CONTOUR_SHARED_DATA "/cnt/sainthelens_100m.cnt", "" },
-  { "rose", CONTOUR_SHARED_DATA "/csl/rose.csl", "" },
+  { "head", recon::testing::OwnPath("Data/head.cnt"), "" },
+  { "brain", recon::testing::OwnPath("Data/brain.cnt"), "" },
+  { "Lt Lung", recon::testing::SharedPath("rtstruct/dicompyler_rtss.dcm"), "Lt Lung" },
+  { "BODY", recon::testing::SharedPath("rtstruct/dicompyler_rtss.dcm"), "BODY" },
+  { "amygdala", recon::testing::SharedPath("cnt/amygdala_label3.cnt"), "" },
+  { "sainthelens", recon::testing::SharedPath("cnt/sainthelens_100m.cnt"), "" },
+  { "rose", recon::testing::SharedPath("csl/rose.csl"), "" },
 };
 
 struct Figures

@@ -11,6 +11,7 @@
 #include "CurveNetwork/CurveNetworkParser.h"
 #include "DICOM/StructureSetFile.h"
 #include "NUAGES/NUAGESParser.h"
+#include "TestPaths.h"
 
 #include <gtest/gtest.h>
 
@@ -94,9 +95,9 @@ class SharedData : public ::testing::Test
 protected:
   void SetUp() override
   {
-    if (!std::filesystem::is_directory(CONTOUR_SHARED_DATA))
+    if (!std::filesystem::is_directory(SharedPath()))
     {
-      GTEST_SKIP() << "no shared test data at " << CONTOUR_SHARED_DATA
+      GTEST_SKIP() << "no shared test data at " << SharedPath()
                    << "; set the CMake variable CONTOUR_SHARED_DATA";
     }
   }

@@ -9,6 +9,7 @@
 
 #include "Base/Monitor.h"
 #include "Contours/ContourSet.h"
+#include "TestPaths.h"
 
 #include <gtest/gtest.h>
 
@@ -73,7 +74,7 @@ inline std::string RandomBytes(std::size_t count, unsigned int seed)
 /// A file of the shared data; empty where it is absent, so that the test can skip.
 inline std::string Shared(const std::string& name)
 {
-  const std::string full = std::string(CONTOUR_SHARED_DATA) + "/" + name;
+  const std::string full = recon::testing::SharedPath(name);
   return std::filesystem::exists(full) ? full : std::string();
 }
 

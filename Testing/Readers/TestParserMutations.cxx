@@ -14,6 +14,7 @@
 #include "Reconstruct/ReconstructParser.h"
 #include "SVG/SVGParser.h"
 #include "Table/ContourTableParser.h"
+#include "TestPaths.h"
 
 #include <algorithm>
 #include <cmath>
@@ -154,7 +155,7 @@ std::vector<std::string> FilesIn(const std::string& folder, const std::string& e
   return files;
 }
 
-const std::string Own = std::string(CONTOUR_SOURCE_DIR) + "/Data";
+const std::string Own = recon::testing::OwnPath("Data");
 }
 
 TEST_F(ParserMutations, StructureSets)

@@ -5,6 +5,7 @@
 #include "ContourInvariants.h"
 #include "Contours/ContourSetBuilder.h"
 #include "Core/SetsOfData.h"
+#include "TestPaths.h"
 
 #include <chrono>
 #include <cstdio>
@@ -98,32 +99,32 @@ void CheckBothWays(const std::string& name, const LoopSoup& soup)
 
 TEST(ContourSetsOfData, OwnData)
 {
-  ForSoups(CONTOUR_SOURCE_DIR "/Data", ".cnt", CheckParallel);
-  ForSoups(CONTOUR_SOURCE_DIR "/Data", ".csl", CheckBothWays);
+  ForSoups(OwnPath("Data"), ".cnt", CheckParallel);
+  ForSoups(OwnPath("Data"), ".csl", CheckBothWays);
 }
 
 TEST_F(SharedData, NUAGES)
 {
-  ForSoups(CONTOUR_SHARED_DATA "/cnt", ".cnt", CheckParallel);
+  ForSoups(SharedPath("cnt"), ".cnt", CheckParallel);
 }
 
 TEST_F(SharedData, CrossSections)
 {
-  ForSoups(CONTOUR_SHARED_DATA "/csl", ".csl", CheckBothWays);
+  ForSoups(SharedPath("csl"), ".csl", CheckBothWays);
 }
 
 TEST_F(SharedData, CurveNetworks)
 {
-  ForSoups(CONTOUR_SHARED_DATA "/contour", ".contour", CheckBothWays);
+  ForSoups(SharedPath("contour"), ".contour", CheckBothWays);
 }
 
 TEST_F(SharedData, StructureSets)
 {
-  ForSoups(CONTOUR_SHARED_DATA "/rtstruct", ".dcm", CheckParallel);
+  ForSoups(SharedPath("rtstruct"), ".dcm", CheckParallel);
 }
 
 TEST_F(SharedData, Phantoms)
 {
-  ForSoups(CONTOUR_SHARED_DATA "/rtstruct/phantoms", ".dcm", CheckParallel);
+  ForSoups(SharedPath("rtstruct/phantoms"), ".dcm", CheckParallel);
 }
 }

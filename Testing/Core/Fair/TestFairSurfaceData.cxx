@@ -6,6 +6,7 @@
 #include "Fair/FairSurface.h"
 #include "Mesh/MeshTopology.h"
 #include "Polyhedral/PolyhedralSurface.h"
+#include "TestPaths.h"
 
 #include <gtest/gtest.h>
 
@@ -40,7 +41,7 @@ class FairSurfaceData : public SharedData
 
 TEST_F(FairSurfaceData, KeepsItsPromises)
 {
-  const std::filesystem::path shared = CONTOUR_SHARED_DATA;
+  const std::filesystem::path shared = SharedPath();
   for (const char* file : { "csl/eight_15.csl", "csl/hand_ok.csl" })
   {
     for (const NamedSoup& named : ReadSoups((shared / file).string()))

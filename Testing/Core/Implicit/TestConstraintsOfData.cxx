@@ -8,6 +8,7 @@
 #include "Contours/ContourSetBuilder.h"
 #include "Core/SetsOfData.h"
 #include "Implicit/Constraints/NearConstraints.h"
+#include "TestPaths.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_2_algorithms.h>
@@ -227,7 +228,7 @@ ContourSet ReadPipe()
   ContourSetOptions options;
   options.Parallel = false;
   Monitor monitor;
-  const LoopSoup soup = ReadSoups(CONTOUR_SOURCE_DIR "/Data/branching_pipe.cnt").at(0).second;
+  const LoopSoup soup = ReadSoups(OwnPath("Data/branching_pipe.cnt")).at(0).second;
   return BuildContourSet(soup, options, monitor);
 }
 
@@ -249,32 +250,32 @@ TEST(ConstraintsOfData, CheckerFindsMarginsThatChangedPlaces)
 
 TEST(ConstraintsOfData, OwnData)
 {
-  ForSoups(CONTOUR_SOURCE_DIR "/Data", ".cnt", Check);
-  ForSoups(CONTOUR_SOURCE_DIR "/Data", ".csl", Check);
+  ForSoups(OwnPath("Data"), ".cnt", Check);
+  ForSoups(OwnPath("Data"), ".csl", Check);
 }
 
 TEST_F(SharedData, NUAGES)
 {
-  ForSoups(CONTOUR_SHARED_DATA "/cnt", ".cnt", Check);
+  ForSoups(SharedPath("cnt"), ".cnt", Check);
 }
 
 TEST_F(SharedData, CrossSections)
 {
-  ForSoups(CONTOUR_SHARED_DATA "/csl", ".csl", Check);
+  ForSoups(SharedPath("csl"), ".csl", Check);
 }
 
 TEST_F(SharedData, CurveNetworks)
 {
-  ForSoups(CONTOUR_SHARED_DATA "/contour", ".contour", Check);
+  ForSoups(SharedPath("contour"), ".contour", Check);
 }
 
 TEST_F(SharedData, StructureSets)
 {
-  ForSoups(CONTOUR_SHARED_DATA "/rtstruct", ".dcm", Check);
+  ForSoups(SharedPath("rtstruct"), ".dcm", Check);
 }
 
 TEST_F(SharedData, Phantoms)
 {
-  ForSoups(CONTOUR_SHARED_DATA "/rtstruct/phantoms", ".dcm", Check);
+  ForSoups(SharedPath("rtstruct/phantoms"), ".dcm", Check);
 }
 }

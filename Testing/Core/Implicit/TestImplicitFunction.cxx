@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The fit against scipy's and against its own conditions; evaluation, gradients, threads.
 #include "Implicit/Solver/FitImplicitFunction.h"
+#include "TestPaths.h"
 
 #include <gtest/gtest.h>
 
@@ -96,7 +97,7 @@ double BallRadius(const std::vector<Point3>& points)
 
 TEST(ImplicitFunction, WeightsAreThoseOfScipy)
 {
-  std::ifstream file(CONTOUR_SOURCE_DIR "/Testing/Core/Implicit/Reference/scipy_weights.txt");
+  std::ifstream file(recon::testing::OwnPath("Testing/Core/Implicit/Reference/scipy_weights.txt"));
   int count = 0;
   int listed = 0;
   int sets = 0;

@@ -4,6 +4,7 @@
 
 #include "Core/Contours/ContourInvariants.h"
 #include "Core/SetsOfData.h"
+#include "TestPaths.h"
 #include <cmath>
 #include <random>
 
@@ -17,8 +18,7 @@ class PlaneFaults : public SharedData
 protected:
   static ContourSet Build(const std::string& file)
   {
-    const std::vector<NamedSoup> soups =
-      ReadSoups(std::string(CONTOUR_SHARED_DATA) + "/faults/" + file);
+    const std::vector<NamedSoup> soups = ReadSoups(SharedPath("faults/" + file));
     EXPECT_EQ(soups.size(), 1u);
     Monitor monitor;
     return BuildContourSet(soups.at(0).second, {}, monitor);
@@ -127,7 +127,7 @@ TEST_F(PlaneFaults, DoubledOutlinesOfRealSetsAreOneEach)
   int tried = 0;
   for (const char* file : { "rtstruct/dicompyler_rtss.dcm", "rtstruct/dicomexport_rs.dcm" })
   {
-    for (const auto& [name, soup] : ReadSoups(std::string(CONTOUR_SHARED_DATA) + "/" + file))
+    for (const auto& [name, soup] : ReadSoups(SharedPath(file)))
     {
       Monitor monitor;
       const ContourSet set =

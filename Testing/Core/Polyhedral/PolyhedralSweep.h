@@ -11,6 +11,7 @@
 
 #include "Core/SetsOfData.h"
 #include "SurfaceInvariants.h"
+#include "TestPaths.h"
 
 #include <gtest/gtest.h>
 
@@ -21,16 +22,6 @@
 
 namespace recon::testing
 {
-inline std::string SharedPath(const std::string& name)
-{
-  return std::string(CONTOUR_SHARED_DATA) + "/" + name;
-}
-
-inline std::string OwnPath(const std::string& name)
-{
-  return std::string(CONTOUR_SOURCE_DIR) + "/Data/" + name;
-}
-
 /// A ROI may have no contours, points only, or one plane: nothing to make a surface of.
 inline bool MakesASolid(const LoopSoup& soup, ContourSet& contours)
 {

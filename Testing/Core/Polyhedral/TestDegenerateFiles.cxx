@@ -3,6 +3,7 @@
 // second.
 #include "Core/SetsOfData.h"
 #include "DegenerateStacks.h"
+#include "TestPaths.h"
 
 #include <gtest/gtest.h>
 
@@ -22,7 +23,7 @@ class DegenerateFiles
 
 TEST_P(DegenerateFiles, HoldEveryPromise)
 {
-  const std::string path = std::string(CONTOUR_SHARED_DATA) + "/faults/other/" + GetParam();
+  const std::string path = SharedPath("faults/other/" + GetParam());
   if (!std::filesystem::exists(path))
   {
     GTEST_SKIP() << path << " is not there";

@@ -29,6 +29,6 @@ TEST(PolyhedralOwnData, EveryCombination)
   for (const char* name : { "branching_pipe.cnt", "brain.cnt", "head.cnt", "femur_head.csl" })
   {
     SCOPED_TRACE(name);
-    EXPECT_EQ(ForEachSolid(OwnPath(name), ExpectAllCombinations), 1);
+    EXPECT_EQ(ForEachSolid(OwnPath(std::string("Data/") + name), ExpectAllCombinations), 1);
   }
 }

@@ -80,7 +80,7 @@ TEST(PolyhedralOwnData, KeepsPromises)
   {
     SCOPED_TRACE(name);
     EXPECT_EQ(
-      ForEachSolid(OwnPath(name),
+      ForEachSolid(OwnPath(std::string("Data/") + name),
         [](const ContourSet& contours) { ExpectKeepsPromises(BuildSurface(contours), contours); }),
       1);
   }
@@ -91,7 +91,7 @@ TEST(PolyhedralOwnData, HoldsForEveryOption)
   for (const char* name : { "branching_pipe.cnt", "brain.cnt" })
   {
     SCOPED_TRACE(name);
-    EXPECT_EQ(ForEachSolid(OwnPath(name), ExpectAllOptions), 1);
+    EXPECT_EQ(ForEachSolid(OwnPath(std::string("Data/") + name), ExpectAllOptions), 1);
   }
 }
 

@@ -29,5 +29,5 @@ INSTANTIATE_TEST_SUITE_P(Large, PolyhedralSweep, ::testing::ValuesIn(LargeCases)
 
 TEST(PolyhedralOwnData, HoldsForEveryOption)
 {
-  EXPECT_EQ(ForEachSolid(OwnPath("head.cnt"), ExpectAllOptions), 1);
+  EXPECT_EQ(ForEachSolid(OwnPath("Data/head.cnt"), ExpectAllOptions), 1);
 }

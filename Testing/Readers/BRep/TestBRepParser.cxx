@@ -4,6 +4,7 @@
 #include "BRep/BRepFormatter.h"
 #include "BRep/BRepParser.h"
 #include "Common/TextFile.h"
+#include "TestPaths.h"
 
 #include <gtest/gtest.h>
 
@@ -22,7 +23,7 @@ namespace
 {
 std::string Example()
 {
-  return std::string(CONTOUR_SOURCE_DIR) + "/Data/example.brep";
+  return recon::testing::OwnPath("Data/example.brep");
 }
 
 std::string Temporary()
