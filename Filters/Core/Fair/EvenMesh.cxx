@@ -25,8 +25,10 @@ constexpr int MostAttempts = 4;
 class Evener
 {
 public:
-  Evener(const TriangleMesh& given, double edgeLength, int threads, Monitor& monitor)
+  Evener(const TriangleMesh& given, const std::vector<char>& parts, double edgeLength, int threads,
+    Monitor& monitor)
     : Given(given),
+      Parts(parts),
       Surface(given),
       EdgeLength(edgeLength),
       Threads(threads),
@@ -41,7 +43,7 @@ public:
     for (int attempt = 0; attempt < MostAttempts; ++attempt)
     {
       this->Observer.Update(static_cast<double>(attempt) / MostAttempts, "making the mesh even");
-      even.Mesh = this->Once(attempt + 1 == MostAttempts, silent);
+      this->Once(attempt + 1 == MostAttempts, silent, even);
       even.Crossing = this->FindCrossings(even.Mesh, silent);
       if (even.Crossing == 0)
       {
@@ -52,9 +54,10 @@ public:
   }
 
 private:
-  TriangleMesh Once(bool lookEverywhere, Monitor& silent) const
+  void Once(bool lookEverywhere, Monitor& silent, EvenMesh& even) const
   {
-    EvenPasses passes(this->Given, this->Surface, this->EdgeLength, this->Threads, silent);
+    EvenPasses passes(
+      this->Given, this->Parts, this->Surface, this->EdgeLength, this->Threads, silent);
     passes.CollapseShort();
     passes.SplitLong();
     this->MarkThin(passes, lookEverywhere);
@@ -70,7 +73,8 @@ private:
     passes.Spread();
     passes.Flip();
     passes.MendSlivers();
-    return passes.Mesh.Compact();
+    even.Mesh = passes.Mesh.Compact();
+    even.Parts = passes.Mesh.CompactParts();
   }
 
   void MarkThin(EvenPasses& passes, bool everywhere) const
@@ -105,6 +109,7 @@ private:
   }
 
   const TriangleMesh& Given;
+  const std::vector<char>& Parts;
   SurfacePlaces Surface;
   double EdgeLength;
   int Threads;
@@ -113,15 +118,17 @@ private:
 };
 }
 
-EvenMesh MakeEvenMesh(const TriangleMesh& given, double edgeLength, int threads, Monitor& monitor)
+EvenMesh MakeEvenMesh(const TriangleMesh& given, const std::vector<char>& parts, double edgeLength,
+  int threads, Monitor& monitor)
 {
-  return Evener(given, edgeLength, threads, monitor).Make();
+  return Evener(given, parts, edgeLength, threads, monitor).Make();
 }
 
-TriangleMesh MendMesh(const TriangleMesh& given, double edgeLength, int threads, Monitor& monitor)
+TriangleMesh MendMesh(const TriangleMesh& given, const std::vector<char>& parts, double edgeLength,
+  int threads, Monitor& monitor)
 {
   const SurfacePlaces surface(given);
-  EvenPasses passes(given, surface, edgeLength, threads, monitor);
+  EvenPasses passes(given, parts, surface, edgeLength, threads, monitor);
   // Every change is looked at, so nothing crosses that did not before.
   std::fill(passes.Thin.begin(), passes.Thin.end(), 1);
   passes.Flip();

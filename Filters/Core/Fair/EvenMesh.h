@@ -10,12 +10,14 @@
 #include "Mesh/TriangleMesh.h"
 
 #include <cstdint>
+#include <vector>
 
 namespace recon
 {
 struct EvenMesh
 {
   TriangleMesh Mesh;
+  std::vector<char> Parts;   ///< a triangle, where the given ones have parts
   std::int64_t Crossing = 0; ///< pairs of triangles that cross or overlap
 };
 
@@ -24,13 +26,16 @@ struct EvenMesh
  * (Botsch and Kobbelt 2004); a manifold stays one, of the same genus, and where the given surface
  * does not cross itself neither does this one.
  *
+ * @param parts of the given triangles, or empty: where they meet a crease runs, which stays where it is
  * @param edgeLength what edges should have @throws Aborted
  */
-EvenMesh MakeEvenMesh(const TriangleMesh& given, double edgeLength, int threads, Monitor& monitor);
+EvenMesh MakeEvenMesh(const TriangleMesh& given, const std::vector<char>& parts, double edgeLength,
+  int threads, Monitor& monitor);
 
 /// Only flips diagonals, and takes small angles away, of a mesh that is even already; no other point
 /// moves. The rest as above.
-TriangleMesh MendMesh(const TriangleMesh& given, double edgeLength, int threads, Monitor& monitor);
+TriangleMesh MendMesh(const TriangleMesh& given, const std::vector<char>& parts, double edgeLength,
+  int threads, Monitor& monitor);
 }
 
 #endif

@@ -37,9 +37,9 @@ constexpr int MostPasses = 6;
 constexpr std::size_t PointsABlock = 1024;
 }
 
-EvenPasses::EvenPasses(const TriangleMesh& mesh, const SurfacePlaces& surface, double edgeLength,
-  int threads, Monitor& monitor)
-  : Mesh(mesh),
+EvenPasses::EvenPasses(const TriangleMesh& mesh, const std::vector<char>& parts,
+  const SurfacePlaces& surface, double edgeLength, int threads, Monitor& monitor)
+  : Mesh(mesh, parts),
     Normals(PointNormals(mesh)),
     Thin(mesh.Points.size(), 0),
     Surface(surface),
@@ -415,8 +415,10 @@ void EvenPasses::Spread()
   std::vector<Point3> middles(count);
   for (std::size_t v = 0; v < count; ++v)
   {
-    found[v] = this->Mesh.IsAlivePoint(static_cast<int>(v)) && !this->Mesh.OnBorder[v];
-    middles[v] = found[v] ? this->Middle(static_cast<int>(v)) : this->Mesh.Points[v];
+    const int number = static_cast<int>(v);
+    found[v] =
+      this->Mesh.IsAlivePoint(number) && !this->Mesh.OnBorder[v] && !this->Mesh.IsOnCrease(number);
+    middles[v] = found[v] ? this->Middle(number) : this->Mesh.Points[v];
   }
   ParallelForBlocks(count, PointsABlock, this->Threads,
     [&](std::size_t from, std::size_t to)

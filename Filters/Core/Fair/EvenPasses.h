@@ -32,15 +32,15 @@ class EvenPasses
 {
 public:
   /// @param surface what points are put back onto; outlives this
-  /// @param edgeLength what edges should have
-  EvenPasses(const TriangleMesh& mesh, const SurfacePlaces& surface, double edgeLength, int threads,
-    Monitor& monitor);
+  /// @param parts see LinkedMesh @param edgeLength what edges should have
+  EvenPasses(const TriangleMesh& mesh, const std::vector<char>& parts, const SurfacePlaces& surface,
+    double edgeLength, int threads, Monitor& monitor);
 
   void SplitLong();
   void CollapseShort();
   /// Where the smaller of two triangles' least angles becomes larger.
   void Flip();
-  /// Every point to the middle of those around it, along the surface.
+  /// Every point that is not on a crease to the middle of those around it, along the surface.
   void Spread();
   /// Triangles below FairLeastAngle: flips their longest side, or collapses their shortest.
   void MendSlivers();

@@ -18,9 +18,10 @@ namespace recon
 {
 struct FairFitOptions
 {
-  double Tolerance = 0;  ///< in the units of the input
-  double EdgeLength = 1; ///< of the mesh
-  double Weight = 1;     ///< of pulls, see FairSystem; those that miss get more
+  double Tolerance = 0;     ///< in the units of the input
+  double EdgeLength = 1;    ///< of the mesh
+  double Weight = 1;        ///< of pulls, see FairSystem; those that miss get more
+  std::vector<double> Kept; ///< a point of the mesh, see FairSystem
   int Threads = 0;
 };
 

@@ -2,6 +2,7 @@
 #include "Fair/FairSurface.h"
 
 #include "Base/Angles.h"
+#include "Base/PointGrid.h"
 #include "Base/SubMonitor.h"
 #include "Base/Text.h"
 #include "Fair/EvenMesh.h"
@@ -29,6 +30,9 @@ constexpr double TolerancePart = 0.05;
 constexpr double FewTriangles = 25000;
 constexpr double MostTriangles = 150000;
 constexpr double AutomaticTension = 0.1;
+/// Of the slices' distance, how far from the rim of a flat end the polyhedral surface's bend is kept: all
+/// of it up to the half of this, then less.
+constexpr double EndReach = 1.5;
 /// Of pulls: drawn contours are followed, the staircase of pixels is evened out.
 constexpr double DrawnWeight = 1e4;
 constexpr double StaircaseWeight = 30;
@@ -131,23 +135,71 @@ private:
   void MakeEven()
   {
     SubMonitor part(this->Observer, 0.2, 0.6);
-    this->Even =
-      MakeEvenMesh(this->Polyhedral.Mesh, this->Result.EdgeLength, this->Options.Threads, part)
-        .Mesh;
+    this->Even = MakeEvenMesh(this->Polyhedral.Mesh, this->PartsOfPolyhedral(),
+      this->Result.EdgeLength, this->Options.Threads, part);
+    this->KeepEnds();
     this->Samples = SampleContours(this->Contours, this->Polyhedral.Mesh, this->Result.EdgeLength);
+  }
+
+  /// Flat ends are parts of their own: their rim is a crease.
+  std::vector<char> PartsOfPolyhedral() const
+  {
+    const PolyhedralOptions::EndCapsType ends = this->Options.Polyhedral.EndCaps;
+    std::vector<char> parts;
+    if (ends == PolyhedralOptions::Flat || ends == PolyhedralOptions::HalfSlice)
+    {
+      for (const auto kind : this->Polyhedral.FaceKind)
+      {
+        parts.push_back(kind == PolyhedralSurface::Cap ? 1 : 0);
+      }
+    }
+    return parts;
+  }
+
+  /// On the rim of a flat end the surface bends as it likes; the slab beside it keeps the bend of the
+  /// polyhedral surface, as a free end would flare.
+  void KeepEnds()
+  {
+    const std::vector<Point3>& points = this->Even.Mesh.Points;
+    std::vector<char> seen(points.size(), 0);
+    for (std::size_t t = 0; t < this->Even.Mesh.Triangles.size(); ++t)
+    {
+      for (const int v : this->Even.Mesh.Triangles[t])
+      {
+        seen[v] |= this->Even.Parts[t] ? 2 : 1;
+      }
+    }
+    std::vector<Point3> rim;
+    for (std::size_t v = 0; v < seen.size(); ++v)
+    {
+      if (seen[v] == 3)
+      {
+        rim.push_back(points[v]);
+      }
+    }
+    this->Fit.Kept.assign(rim.empty() ? 0 : points.size(), 0);
+    const double reach = EndReach * this->Spacing;
+    const PointGrid grid(rim, reach);
+    for (std::size_t v = 0; v < this->Fit.Kept.size(); ++v)
+    {
+      const int nearest = grid.Nearest(points[v], reach);
+      const double far = nearest < 0 ? reach : Norm(points[v] - rim[nearest]);
+      this->Fit.Kept[v] = seen[v] == 3 ? Crease : std::min(1.0, 2 * (1 - far / reach));
+    }
   }
 
   void Fair()
   {
     SubMonitor part(this->Observer, 0.6, 0.85);
-    const SurfacePlaces places(this->Even);
+    const SurfacePlaces places(this->Even.Mesh);
     std::vector<Pull> pulls = PullsOf(places, this->Samples, this->Fit, this->Silent);
     const std::vector<Point3> moved =
-      SolveWithin(this->Even, pulls, this->Spacing, this->Result.Tension, this->Fit, part);
-    UncrossedMove made = MoveUncrossed(this->Even, moved, 0, this->Options.Threads, this->Silent);
+      SolveWithin(this->Even.Mesh, pulls, this->Spacing, this->Result.Tension, this->Fit, part);
+    UncrossedMove made =
+      MoveUncrossed(this->Even.Mesh, moved, 0, this->Options.Threads, this->Silent);
     this->Result.HeldBack = made.HeldBack;
-    this->Result.Mesh =
-      MendMesh(made.Mesh, this->Result.EdgeLength, this->Options.Threads, this->Silent);
+    this->Result.Mesh = MendMesh(
+      made.Mesh, this->Even.Parts, this->Result.EdgeLength, this->Options.Threads, this->Silent);
   }
 
   void Finish()
@@ -198,7 +250,7 @@ private:
   double Spacing;
   double Step; ///< of a staircase; 0: contours were drawn
   PolyhedralSurface Polyhedral;
-  TriangleMesh Even;
+  EvenMesh Even;
   std::vector<ContourSample> Samples;
   FairFitOptions Fit;
   FairSurface Result;

@@ -44,11 +44,12 @@ struct FairSystem::Implementation
   const std::vector<int>& Rank; ///< of a point among the unknowns
   Matrix Membrane;              ///< positive semidefinite
   Matrix ThinPlate;
+  Eigen::VectorXd Kept; ///< over the points' areas
   Eigen::MatrixXd Places;
   std::unique_ptr<FrontalCholesky> Factor;
 
-  Implementation(const TriangleMesh& mesh, const std::vector<Point3>& rest, double scale,
-    int threads, Monitor& monitor)
+  Implementation(const TriangleMesh& mesh, const std::vector<double>& kept,
+    const std::vector<Point3>& rest, double scale, int threads, Monitor& monitor)
     : Mesh(mesh),
       Scale(scale),
       Threads(threads),
@@ -57,7 +58,7 @@ struct FairSystem::Implementation
       Rank(Order.Rank)
   {
     this->BuildMembrane();
-    this->BuildThinPlate();
+    this->BuildThinPlate(kept);
     this->Places.resize(static_cast<Eigen::Index>(mesh.Points.size()), 3);
     for (std::size_t p = 0; p < mesh.Points.size(); ++p)
     {
@@ -94,7 +95,7 @@ struct FairSystem::Implementation
     this->Membrane.setFromTriplets(entries.begin(), entries.end());
   }
 
-  void BuildThinPlate()
+  void BuildThinPlate(const std::vector<double>& kept)
   {
     Eigen::VectorXd areas = Eigen::VectorXd::Zero(this->Count());
     for (const auto& t : this->Mesh.Triangles)
@@ -107,7 +108,15 @@ struct FairSystem::Implementation
       }
     }
     const double least = LeastArea * areas.mean();
-    const Eigen::VectorXd inverse = areas.cwiseMax(least).cwiseInverse();
+    Eigen::VectorXd inverse = areas.cwiseMax(least).cwiseInverse();
+    this->Kept = Eigen::VectorXd::Zero(this->Count());
+    for (std::size_t p = 0; p < kept.size(); ++p)
+    {
+      const bool creased = kept[p] == Crease;
+      inverse[this->Rank[p]] *= creased ? 0 : 1;
+      this->Kept[this->Rank[p]] = creased ? 0 : kept[p];
+    }
+    this->Kept.array() *= inverse.array();
     this->ThinPlate = this->Membrane * inverse.asDiagonal() * this->Membrane;
   }
 
@@ -140,7 +149,9 @@ struct FairSystem::Implementation
   std::vector<Point3> Solve(const std::vector<Pull>& pulls, double tension)
   {
     const double membrane = TensionScale * tension / (this->Scale * this->Scale);
-    Eigen::MatrixXd right = membrane * (this->Membrane * this->Places);
+    const Eigen::MatrixXd bent = this->Membrane * this->Places;
+    Eigen::MatrixXd right = membrane * bent;
+    right += (1 - tension) * (this->Membrane * (this->Kept.asDiagonal() * bent));
     Matrix system =
       (1 - tension) * this->ThinPlate + membrane * this->Membrane + this->Pulling(pulls, right);
     const double anchorage = Anchorage * system.diagonal().mean();
@@ -169,9 +180,9 @@ struct FairSystem::Implementation
   }
 };
 
-FairSystem::FairSystem(const TriangleMesh& mesh, const std::vector<Point3>& rest, double scale,
-  int threads, Monitor& monitor)
-  : Impl(std::make_unique<Implementation>(mesh, rest, scale, threads, monitor))
+FairSystem::FairSystem(const TriangleMesh& mesh, const std::vector<double>& kept,
+  const std::vector<Point3>& rest, double scale, int threads, Monitor& monitor)
+  : Impl(std::make_unique<Implementation>(mesh, kept, rest, scale, threads, monitor))
 {
 }
 

@@ -24,14 +24,17 @@ struct Pull
   double Weight;   ///< of the squared distance, per cube of the scale
 };
 
+/// Of a point where the surface bends as it likes, as on the rim of a flat end.
+constexpr double Crease = 2;
+
 /**
  * @class FairSystem
  * @brief Thin plate and membrane over a mesh (Botsch and Kobbelt 2004), solved by a sparse Cholesky
  * factorisation.
  *
- * With x the places of the points, x0 those at rest, h the scale and t the tension, it makes
+ * With x the places of the points, x0 those at rest, k how much of it is kept, h the scale and t the tension, it makes
  *
- *     (1 - t) ∫|Δx|² + t s / h² ∫|∇(x - x0)|² + Σ Weight / h³ |x(From) - To|²
+ *     (1 - t) ∫|Δx - k Δx0|² + t s / h² ∫|∇(x - x0)|² + Σ Weight / h³ |x(From) - To|²
  *
  * least. Δ is the Laplacian of the mesh as it is (cotangents). t = 1 leaves the points at rest as far
  * as pulls allow.
@@ -39,10 +42,11 @@ struct Pull
 class FairSystem
 {
 public:
-  /// All outlive this. @param mesh whose lengths and angles count @param rest x0 @param scale length of
+  /// All outlive this. @param mesh whose lengths and angles count @param kept a point:
+  /// how much of its bend at rest it keeps, from 0 to 1, and Crease where it bends as it likes; or empty @param rest x0 @param scale length of
   /// what is bridged: the distance of slices
-  FairSystem(const TriangleMesh& mesh, const std::vector<Point3>& rest, double scale, int threads,
-    Monitor& monitor);
+  FairSystem(const TriangleMesh& mesh, const std::vector<double>& kept,
+    const std::vector<Point3>& rest, double scale, int threads, Monitor& monitor);
   ~FairSystem();
   FairSystem(const FairSystem&) = delete;
   FairSystem& operator=(const FairSystem&) = delete;

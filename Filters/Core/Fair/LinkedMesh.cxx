@@ -41,11 +41,13 @@ double SmallestAngle(const Point3& a, const Point3& b, const Point3& c)
   return std::atan(TangentOfSmallestAngle(a, b, c));
 }
 
-LinkedMesh::LinkedMesh(const TriangleMesh& mesh)
+LinkedMesh::LinkedMesh(const TriangleMesh& mesh, const std::vector<char>& parts)
   : Mesh(mesh),
     Points(Mesh.Points),
-    Triangles(Mesh.Triangles)
+    Triangles(Mesh.Triangles),
+    Parts(parts)
 {
+  this->Parts.resize(mesh.Triangles.size(), 0);
   this->Link();
 }
 
@@ -215,6 +217,7 @@ int LinkedMesh::Split(int t, int k)
   this->Triangles[t] = { a, b, m };
   this->Neighbour[t] = { acrossHalf, half, ab };
   this->Triangles.push_back({ a, m, c });
+  this->Parts.push_back(this->Parts[t]);
   this->Neighbour.push_back({ across, ca, t });
   this->Relink(ca, t, half);
   this->TriangleAt[c] = half;
@@ -229,6 +232,7 @@ int LinkedMesh::Split(int t, int k)
     this->Triangles[across] = { d, c, m };
     this->Neighbour[across] = { half, acrossHalf, dc };
     this->Triangles.push_back({ d, m, b });
+    this->Parts.push_back(this->Parts[across]);
     this->Neighbour.push_back({ t, bd, across });
     this->Relink(bd, across, acrossHalf);
     this->TriangleAt[d] = across;
@@ -239,7 +243,7 @@ int LinkedMesh::Split(int t, int k)
 bool LinkedMesh::MayFlip(int t, int k) const
 {
   const int across = this->Neighbour[t][k];
-  if (across < 0)
+  if (across < 0 || this->Parts[across] != this->Parts[t])
   {
     return false;
   }
@@ -277,9 +281,34 @@ void LinkedMesh::Flip(int t, int k)
   this->TriangleAt[d] = t;
 }
 
+bool LinkedMesh::IsOnCrease(int v) const
+{
+  const std::vector<int>& around = this->Around(v);
+  return std::any_of(around.begin(), around.end(),
+    [&](int t) { return this->Parts[t] != this->Parts[around.front()]; });
+}
+
+/// A crease may become shorter along itself, where it runs through a point once, and nowhere else.
+bool LinkedMesh::KeepsCrease(int from, int into) const
+{
+  int creases = 0;
+  bool along = false;
+  for (const int t : this->Around(from))
+  {
+    const int k = Next(this->CornerOf(t, from));
+    const int across = this->Neighbour[t][k];
+    if (across >= 0 && this->Parts[across] != this->Parts[t])
+    {
+      ++creases;
+      along = along || this->Triangles[t][Next(k)] == into;
+    }
+  }
+  return creases == 0 || (creases == 2 && along);
+}
+
 bool LinkedMesh::MayCollapse(int from, int into) const
 {
-  if (this->OnBorder[from])
+  if (this->OnBorder[from] || !this->KeepsCrease(from, into))
   {
     return false;
   }
@@ -391,5 +420,18 @@ TriangleMesh LinkedMesh::Compact(std::vector<int>* oldNumbers) const
     }
   }
   return mesh;
+}
+
+std::vector<char> LinkedMesh::CompactParts() const
+{
+  std::vector<char> parts;
+  for (std::size_t t = 0; t < this->Triangles.size(); ++t)
+  {
+    if (this->Triangles[t][0] >= 0)
+    {
+      parts.push_back(this->Parts[t]);
+    }
+  }
+  return parts;
 }
 }

@@ -27,7 +27,8 @@ public:
   using Triangle = std::array<int, 3>;
   static constexpr int None = -1; ///< no triangle, no point
 
-  explicit LinkedMesh(const TriangleMesh& mesh);
+  /// @param parts a number for each triangle, or empty: where it changes a crease runs, which is kept
+  explicit LinkedMesh(const TriangleMesh& mesh, const std::vector<char>& parts = {});
   LinkedMesh(const LinkedMesh&) = delete;
   LinkedMesh& operator=(const LinkedMesh&) = delete;
 
@@ -47,6 +48,8 @@ public:
   int CornerOf(int t, int v) const;
   /// The triangles around a point, in turn; at a border from one end to the other.
   const std::vector<int>& Around(int v) const;
+  /// Whether triangles of several parts meet there.
+  bool IsOnCrease(int v) const;
   /// The points around a point.
   std::vector<int> Neighbours(int v) const;
   /// (triangle, side) of an edge, (None, 0) where there is none.
@@ -67,17 +70,21 @@ public:
 
   /// What is alive; the points' new numbers are in the order of the old ones.
   TriangleMesh Compact(std::vector<int>* oldNumbers = nullptr) const;
+  /// Of the triangles that Compact gives.
+  std::vector<char> CompactParts() const;
 
   TriangleMesh Mesh;
   std::vector<Point3>& Points;
   std::vector<Triangle>& Triangles; ///< dead ones: None
   std::vector<Triangle> Neighbour;  ///< of a triangle, across its sides; None at a border
+  std::vector<char> Parts;          ///< a triangle
   std::vector<int> TriangleAt;      ///< a triangle of each point, None where it has none
   std::vector<char> OnBorder;       ///< a point
 
 private:
   void Link();
   void Relink(int t, int was, int now);
+  bool KeepsCrease(int from, int into) const;
   bool TakeAway(int t, int from, int into);
 
   mutable std::vector<int> Ring; ///< what Around gives, until it is called again

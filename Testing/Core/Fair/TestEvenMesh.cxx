@@ -10,6 +10,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include <vector>
 
 using namespace recon;
@@ -21,7 +24,7 @@ namespace
 void ExpectEven(const TriangleMesh& given, double edgeLength)
 {
   Monitor monitor;
-  const EvenMesh even = MakeEvenMesh(given, edgeLength, 1, monitor);
+  const EvenMesh even = MakeEvenMesh(given, {}, edgeLength, 1, monitor);
   EXPECT_EQ(even.Crossing, 0);
   const TopologyFigures figures = CheckTopology(even.Mesh).Total;
   EXPECT_TRUE(figures.Closed && figures.Manifold() && figures.Outward);
@@ -52,8 +55,8 @@ TEST(EvenMesh, DoesNotDependOnTheThreads)
 {
   Monitor monitor;
   const TriangleMesh torus = MakeTorus(3, 1, 100, 8);
-  const EvenMesh one = MakeEvenMesh(torus, 0.2, 1, monitor);
-  const EvenMesh four = MakeEvenMesh(torus, 0.2, 4, monitor);
+  const EvenMesh one = MakeEvenMesh(torus, {}, 0.2, 1, monitor);
+  const EvenMesh four = MakeEvenMesh(torus, {}, 0.2, 4, monitor);
   EXPECT_EQ(one.Mesh.Points, four.Mesh.Points);
   EXPECT_EQ(one.Mesh.Triangles, four.Mesh.Triangles);
 }
@@ -66,7 +69,7 @@ TEST(EvenMesh, SheetsThatAreNearDoNotCross)
   Move(other, { 1.002, 0, 0 });
   Append(both, other);
   Monitor monitor;
-  const EvenMesh even = MakeEvenMesh(both, 0.2, 1, monitor);
+  const EvenMesh even = MakeEvenMesh(both, {}, 0.2, 1, monitor);
   EXPECT_EQ(even.Crossing, 0);
   EXPECT_EQ(CheckTopology(even.Mesh).Total.Euler, 4);
 }
@@ -76,9 +79,44 @@ TEST(EvenPasses, SplittingKeepsTheShape)
   const TriangleMesh cube = MakeCube();
   const SurfacePlaces surface(cube);
   Monitor monitor;
-  EvenPasses passes(cube, surface, 0.25, 1, monitor);
+  EvenPasses passes(cube, {}, surface, 0.25, 1, monitor);
   passes.SplitLong();
   const TriangleMesh made = passes.Mesh.Compact();
   EXPECT_GT(made.Triangles.size(), 200u);
   ExpectVolume(made, 1, 1e-12);
+}
+
+TEST(EvenMesh, KeepsTheCreaseBetweenTwoParts)
+{
+  // The top of the cube is a part of its own: all points of its rim stay on it.
+  const TriangleMesh cube = MakeCube();
+  std::vector<char> parts;
+  double high = 0;
+  for (const Point3& p : cube.Points)
+  {
+    high = std::max(high, p[2]);
+  }
+  const auto isOnTop = [&](const TriangleMesh& mesh, const std::array<int, 3>& t)
+  {
+    return std::all_of(
+      t.begin(), t.end(), [&](int v) { return std::abs(mesh.Points[v][2] - high) < 1e-9; });
+  };
+  for (const auto& t : cube.Triangles)
+  {
+    parts.push_back(isOnTop(cube, t) ? 1 : 0);
+  }
+  Monitor monitor;
+  const EvenMesh even = MakeEvenMesh(cube, parts, 0.2, 1, monitor);
+  ASSERT_EQ(even.Parts.size(), even.Mesh.Triangles.size());
+  double area = 0;
+  for (std::size_t t = 0; t < even.Parts.size(); ++t)
+  {
+    const auto& corners = even.Mesh.Triangles[t];
+    EXPECT_EQ(even.Parts[t] != 0, isOnTop(even.Mesh, corners));
+    const Point3& a = even.Mesh.Points[corners[0]];
+    area += even.Parts[t]
+      ? 0.5 * Norm(Cross(even.Mesh.Points[corners[1]] - a, even.Mesh.Points[corners[2]] - a))
+      : 0;
+  }
+  EXPECT_NEAR(area, 1, 1e-9);
 }

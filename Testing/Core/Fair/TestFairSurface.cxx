@@ -167,3 +167,21 @@ TEST(FairSurface, OneSliceIsAnError)
 {
   EXPECT_THROW(Build(BuildStack({ { RegularPolygon(9, 1) } }), Usual()), Error);
 }
+
+TEST(FairSurface, AFlatEndKeepsItsRimAndDoesNotFlare)
+{
+  // A tube: as wide between its slices as on them, and its ends are discs.
+  FairOptions options = Usual();
+  options.Polyhedral.EndCaps = PolyhedralOptions::Flat;
+  const ContourSet tube = BuildStack({ { RegularPolygon(60, 2) }, { RegularPolygon(60, 2) } }, 2);
+  const FairSurface fair = Build(tube, options);
+  ExpectSoundSurface(fair.Mesh);
+  double least = 2;
+  for (const Point3& p : fair.Mesh.Points)
+  {
+    const bool onEnd = std::abs(p[2]) < 0.02 || std::abs(p[2] - 2) < 0.02;
+    least = onEnd ? least : std::min(least, std::hypot(p[0], p[1]));
+    EXPECT_TRUE(p[2] > -0.02 && p[2] < 2.02);
+  }
+  EXPECT_GT(least, 1.95);
+}

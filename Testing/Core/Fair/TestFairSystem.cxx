@@ -31,7 +31,7 @@ TEST(FairSystem, FullTensionLeavesTheMeshWhereItIs)
 {
   const TriangleMesh torus = MakeTorus(3, 1);
   Monitor monitor;
-  FairSystem system(torus, torus.Points, 1, 0, monitor);
+  FairSystem system(torus, {}, torus.Points, 1, 0, monitor);
   const std::vector<Point3> places = system.Solve(PullEvery(torus, 7, { 0, 0, 0 }), 1);
   for (std::size_t p = 0; p < places.size(); ++p)
   {
@@ -43,7 +43,7 @@ TEST(FairSystem, FollowsPullsThatAgree)
 {
   const TriangleMesh torus = MakeTorus(3, 1);
   Monitor monitor;
-  FairSystem system(torus, torus.Points, 1, 0, monitor);
+  FairSystem system(torus, {}, torus.Points, 1, 0, monitor);
   const Vector3 by{ 1, 2, 3 };
   for (const double tension : { 0.0, 0.4, 1.0 })
   {
@@ -65,7 +65,7 @@ TEST(FairSystem, EvensOutAStep)
   const Point3 kept = sphere.Points[150];
   sphere.Points[150] = 1.2 * kept;
   Monitor monitor;
-  FairSystem system(sphere, sphere.Points, 0.5, 0, monitor);
+  FairSystem system(sphere, {}, sphere.Points, 0.5, 0, monitor);
   const double out = Norm(system.Solve(pulls, 0)[150]);
   EXPECT_LT(std::abs(out - 1), 0.05);
 }
