@@ -63,6 +63,8 @@ endif ()
 
 paraview_plugin_build(
   PLUGINS ${plugins}
+  # Where ParaView lists it, it has it as well: readers that nobody has loaded open no file.
+  AUTOLOAD ContourReconstruction
   PLUGINS_FILE_NAME contour.plugins.xml
   LIBRARY_SUBDIRECTORY "${contour_plugin_subdirectory}"
   INSTALL_HEADERS OFF)
@@ -83,3 +85,5 @@ if (CONTOUR_WRAP_PYTHON)
     add_dependencies(plugin ${module}Python)
   endforeach ()
 endif ()
+
+include(Plugin/package/Package.cmake)

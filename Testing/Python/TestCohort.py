@@ -153,6 +153,16 @@ if shutil.which("groff"):
     judged = subprocess.run(["groff", "-man", "-ww", "-Tutf8"], input=page, capture_output=True, text=True)
     ct.check(judged.stderr == "" and "SEVERAL FILES" in re.sub(r"\x1b\[\d*m|.\x08", "", judged.stdout), f"groff: {judged.stderr}")
 
+# Completion in bash: options, their choices, and files that can be read.
+made = subprocess.run([PYTHON, os.path.join(COMMANDS, "completion.py")], capture_output=True, text=True)
+for words, last, wanted, unwanted in ((["--me"], 1, "--method", "--roi"), (["--method", "p"], 2, "psm", "fair"),
+                                      ([os.path.join(os.path.dirname(ct.own("head.cnt")), "")], 1, "head.cnt", "CERTIFICATES.md")):
+    line = f"COMP_WORDS=(contour-reconstruct {' '.join(words)}); COMP_CWORD={last}; compopt() {{ :; }}; _contour_reconstruct; "
+    shown = subprocess.run(["bash", "-O", "extglob", "-c", made.stdout + line + 'printf "%s\\n" "${COMPREPLY[@]}"'],
+                           capture_output=True, text=True)
+    ct.check(wanted in shown.stdout and unwanted not in shown.stdout and not shown.stderr,
+             f"completion of {words}: {shown.stdout} {shown.stderr}")
+
 # Colours are for terminals, and for those who want them.
 for variables, coloured in (({}, True), ({"NO_COLOR": "1"}, False)):
     master, slave = pty.openpty()

@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The Debian package of `./run package`: plugin, command line, manual page, completion, documentation and data of the
+# examples; libraries and headers for programs of one's own (component Development) are not in it.
+set(contour_package_version "${PROJECT_VERSION}-1")
+set(contour_doc "${CMAKE_INSTALL_DATADIR}/doc/contour-reconstruction")
+set(contour_package_dir "${CMAKE_CURRENT_BINARY_DIR}/package")
+set(contour_maintainer "The Contour Reconstruction authors <maintainers@contour-reconstruction.invalid>" CACHE STRING
+  "Who maintains the Debian package, with an address: what the field Maintainer says")
+
+# ParaView reads the file of its own name beside its program, and lists the plugins that it names. Debian's ParaView
+# has none, and looks nowhere else but in folders that no package may use.
+file(RELATIVE_PATH contour_plugins_from_bin
+  "/prefix/${CMAKE_INSTALL_BINDIR}" "/prefix/${CMAKE_INSTALL_LIBDIR}/${contour_plugin_subdirectory}/contour.plugins.xml")
+configure_file("${CMAKE_CURRENT_LIST_DIR}/paraview.conf.in" "${contour_package_dir}/paraview.conf" @ONLY)
+install(FILES "${contour_package_dir}/paraview.conf" DESTINATION "${CMAKE_INSTALL_BINDIR}"
+  COMPONENT Debian EXCLUDE_FROM_ALL)
+
+# The changes by Debian's rules beside those that people read.
+string(TIMESTAMP contour_date "%a, %d %b %Y %H:%M:%S +0000" UTC)
+configure_file("${CMAKE_CURRENT_LIST_DIR}/changelog.in" "${contour_package_dir}/changelog.Debian" @ONLY)
+find_program(CONTOUR_GZIP gzip)
+foreach (file IN ITEMS "${contour_package_dir}/changelog.Debian" "${PROJECT_SOURCE_DIR}/CHANGELOG.md" "${contour_man_page}")
+  get_filename_component(name "${file}" NAME)
+  string(REPLACE "CHANGELOG.md" "changelog" name "${name}")
+  set(packed "${contour_package_dir}/${name}.gz")
+  add_custom_command(OUTPUT "${packed}"
+    COMMAND "${CONTOUR_GZIP}" -9nc "${file}" > "${packed}"
+    DEPENDS "${file}"
+    VERBATIM)
+  list(APPEND contour_packed "${packed}")
+endforeach ()
+add_custom_target(ContourPackageFiles DEPENDS plugin ${contour_packed})
+list(POP_BACK contour_packed contour_packed_man_page)
+install(FILES ${contour_packed} "${CMAKE_CURRENT_LIST_DIR}/copyright" "${PROJECT_SOURCE_DIR}/README.md"
+  DESTINATION "${contour_doc}" COMPONENT Debian EXCLUDE_FROM_ALL)
+install(FILES "${contour_packed_man_page}" DESTINATION "${CMAKE_INSTALL_MANDIR}/man1"
+  COMPONENT Debian EXCLUDE_FROM_ALL)
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/Documentation" DESTINATION "${contour_doc}" COMPONENT Debian EXCLUDE_FROM_ALL
+  FILES_MATCHING PATTERN "*.md" PATTERN "*.png"
+  PATTERN "site" EXCLUDE PATTERN "example" EXCLUDE PATTERN "examples" EXCLUDE)
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/Documentation/examples/" DESTINATION "${contour_doc}/examples"
+  COMPONENT Debian EXCLUDE_FROM_ALL FILES_MATCHING PATTERN "*.py")
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/Data" DESTINATION "${contour_doc}/examples" COMPONENT Debian EXCLUDE_FROM_ALL
+  FILES_MATCHING PATTERN "*.cnt" PATTERN "*.csl" PATTERN "derive" EXCLUDE)
+configure_file("${CMAKE_CURRENT_LIST_DIR}/lintian-overrides.in"
+  "${contour_package_dir}/contour-reconstruction" @ONLY)
+install(FILES "${contour_package_dir}/contour-reconstruction"
+  DESTINATION "${CMAKE_INSTALL_DATADIR}/lintian/overrides" COMPONENT Debian EXCLUDE_FROM_ALL)
+
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME contour-reconstruction)
+set(CPACK_PACKAGE_VERSION "${PROJECT_VERSION}")
+set(CPACK_PACKAGE_DIRECTORY "${PROJECT_BINARY_DIR}/packages")
+set(CPACK_PACKAGE_CONTACT "${contour_maintainer}")
+set(CPACK_STRIP_FILES ON)
+# What paraview_add_plugin and vtk_module_build install, and ours.
+set(CPACK_COMPONENTS_ALL paraview_plugins runtime python Program Debian Unspecified)
+set(CPACK_COMPONENTS_GROUPING ALL_COMPONENTS_IN_ONE)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_NAME contour-reconstruction)
+set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_DESCRIPTION "planar contours to closed surfaces, a plugin for ParaView
+ Outlines drawn on slices (CT and MR contours, histology, geology, terrain)
+ become solids that one can see, measure, print and compute with: exactly
+ through the contours, smoothly through contours on any planes, or smoothly
+ with the topology of the exact surface. RT structure sets are read and
+ written, and a certificate says what a surface is worth.
+ .
+ ParaView has the plugin loaded when it starts; contour-reconstruct does the
+ same on the command line.")
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS
+  "${PROJECT_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}/${contour_plugin_subdirectory}/ContourReconstruction"
+  "${PROJECT_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
+# A plugin is good for the ParaView that it was built for, and for no other.
+math(EXPR contour_next_minor "${ParaView_VERSION_MINOR} + 1")
+set(CPACK_DEBIAN_PACKAGE_DEPENDS
+  "paraview (>= ${ParaView_VERSION_MAJOR}.${ParaView_VERSION_MINOR}), paraview (<< ${ParaView_VERSION_MAJOR}.${contour_next_minor}~), python3-paraview, python3")
+include(CPack)
