@@ -85,5 +85,3 @@ if (CONTOUR_WRAP_PYTHON)
     add_dependencies(plugin ${module}Python)
   endforeach ()
 endif ()
-
-include(Plugin/package/Package.cmake)

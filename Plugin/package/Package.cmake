@@ -4,6 +4,7 @@
 set(contour_package_version "${PROJECT_VERSION}-1")
 set(contour_doc "${CMAKE_INSTALL_DATADIR}/doc/contour-reconstruction")
 set(contour_package_dir "${CMAKE_CURRENT_BINARY_DIR}/package")
+file(MAKE_DIRECTORY "${contour_package_dir}")
 set(contour_maintainer "The Contour Reconstruction authors <maintainers@contour-reconstruction.invalid>" CACHE STRING
   "Who maintains the Debian package, with an address: what the field Maintainer says")
 
@@ -29,7 +30,8 @@ foreach (file IN ITEMS "${contour_package_dir}/changelog.Debian" "${PROJECT_SOUR
     VERBATIM)
   list(APPEND contour_packed "${packed}")
 endforeach ()
-add_custom_target(ContourPackageFiles DEPENDS plugin ${contour_packed})
+add_custom_target(ContourPackageFiles DEPENDS ${contour_packed})
+add_dependencies(ContourPackageFiles plugin)
 list(POP_BACK contour_packed contour_packed_man_page)
 install(FILES ${contour_packed} "${CMAKE_CURRENT_LIST_DIR}/copyright" "${PROJECT_SOURCE_DIR}/README.md"
   DESTINATION "${contour_doc}" COMPONENT Debian EXCLUDE_FROM_ALL)
@@ -61,15 +63,16 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_NAME contour-reconstruction)
 set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
-set(CPACK_DEBIAN_PACKAGE_DESCRIPTION "planar contours to closed surfaces, a plugin for ParaView
- Outlines drawn on slices (CT and MR contours, histology, geology, terrain)
- become solids that one can see, measure, print and compute with: exactly
- through the contours, smoothly through contours on any planes, or smoothly
- with the topology of the exact surface. RT structure sets are read and
- written, and a certificate says what a surface is worth.
- .
- ParaView has the plugin loaded when it starts; contour-reconstruct does the
- same on the command line.")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "planar contours to closed surfaces, plugin for ParaView")
+set(CPACK_DEBIAN_PACKAGE_DESCRIPTION "\
+Outlines drawn on slices (CT and MR contours, histology, geology, terrain)
+become solids that one can see, measure, print and compute with: exactly
+through the contours, smoothly through contours on any planes, or smoothly
+with the topology of the exact surface. RT structure sets are read and
+written, and a certificate says what a surface is worth.
+.
+ParaView has the plugin loaded when it starts; contour-reconstruct does the
+same on the command line.")
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS
   "${PROJECT_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}/${contour_plugin_subdirectory}/ContourReconstruction"
