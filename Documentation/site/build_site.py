@@ -31,7 +31,8 @@ LISTS = (("Use it", ["README", "Documentation/package", "Documentation/recipes",
                      "Documentation/fair-surface", "Documentation/formats", "Documentation/command-line", "Documentation/python",
                      "Documentation/structure-sets", "Documentation/examples", "Documentation/gallery",
                      "Documentation/nodes", "Documentation/nodes/index"]),
-         ("What it is worth", ["Data/TRUTH", "Data/TRUTH_IMPLICIT", "Data/TRUTH_FAIR", "Data/CERTIFICATES", "Data/PLANES", "Documentation/comparison", "Documentation/performance"]),
+         ("What it is worth", ["Data/TRUTH", "Data/TRUTH_IMPLICIT", "Data/TRUTH_FAIR", "Data/CERTIFICATES", "Data/PLANES",
+                               "Documentation/comparison", "Documentation/performance"]),
          ("How it works", ["Documentation/architecture", "Documentation/glossary", "Documentation/references",
                            "Documentation/library", "Data/CONSTANTS", "Data/README", "CONTRIBUTING", "CHANGELOG"]))
 # What pages show or link to beside pages: it is brought along, so that the links lead somewhere.
