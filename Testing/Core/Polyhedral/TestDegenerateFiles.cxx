@@ -23,7 +23,7 @@ class DegenerateFiles
 
 TEST_P(DegenerateFiles, HoldEveryPromise)
 {
-  const std::string path = SharedPath("faults/other/" + GetParam());
+  const std::string path = SharedPath(std::string("faults/other/") + GetParam());
   if (!std::filesystem::exists(path))
   {
     GTEST_SKIP() << path << " is not there";
