@@ -6,6 +6,7 @@
 #include "Base/PointHash.h"
 #include "Base/Predicates.h"
 #include "Mesh/ComponentNesting.h"
+#include "Mesh/EdgeTable.h"
 #include "Mesh/MassProperties.h"
 #include "Mesh/MeshDefects.h"
 
@@ -19,94 +20,6 @@ namespace recon
 {
 namespace
 {
-bool IsCollapsed(const std::array<int, 3>& t)
-{
-  return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
-}
-
-/// A side of a triangle, filed under the smaller of its two points.
-struct HalfEdge
-{
-  int High;   ///< the larger point
-  int Corner; ///< 3 * triangle + k: the side from corner k to the next
-};
-
-/**
- * All sides of triangles that are not collapsed, sorted by (smaller point, larger point, corner).
- *
- * A counting sort by the smaller point leaves buckets of some six sides, which a million triangles
- * sort several times faster than in one go.
- */
-struct EdgeTable
-{
-  std::vector<int> First; ///< a point: its bucket begins here; one entry more than points
-  std::vector<HalfEdge> Sides;
-};
-
-EdgeTable SortEdges(const TriangleMesh& mesh)
-{
-  EdgeTable table;
-  table.First.assign(mesh.Points.size() + 1, 0);
-  const auto forEachSide = [&](const auto& visit)
-  {
-    for (std::size_t t = 0; t < mesh.Triangles.size(); ++t)
-    {
-      const auto& corners = mesh.Triangles[t];
-      if (IsCollapsed(corners))
-      {
-        continue;
-      }
-      for (int k = 0; k < 3; ++k)
-      {
-        const auto [low, high] = std::minmax(corners[k], corners[(k + 1) % 3]);
-        visit(low, HalfEdge{ high, static_cast<int>(3 * t) + k });
-      }
-    }
-  };
-  forEachSide([&](int low, const HalfEdge&) { ++table.First[low + 1]; });
-  std::partial_sum(table.First.begin(), table.First.end(), table.First.begin());
-  table.Sides.resize(table.First.back());
-  std::vector<int> next(table.First.begin(), table.First.end() - 1);
-  forEachSide([&](int low, const HalfEdge& side) { table.Sides[next[low]++] = side; });
-  for (std::size_t p = 0; p < mesh.Points.size(); ++p)
-  {
-    std::sort(table.Sides.begin() + table.First[p], table.Sides.begin() + table.First[p + 1],
-      [](const HalfEdge& a, const HalfEdge& b)
-      { return a.High != b.High ? a.High < b.High : a.Corner < b.Corner; });
-  }
-  return table;
-}
-
-/// All sides that join the same two points.
-struct EdgeGroup
-{
-  int Low;
-  int High;
-  const HalfEdge* Begin;
-  const HalfEdge* End;
-
-  int Count() const { return static_cast<int>(this->End - this->Begin); }
-};
-
-template <typename Visitor>
-void ForEachEdge(const EdgeTable& table, const Visitor& visit)
-{
-  const int points = static_cast<int>(table.First.size()) - 1;
-  for (int low = 0; low < points; ++low)
-  {
-    const HalfEdge* const end = table.Sides.data() + table.First[low + 1];
-    for (const HalfEdge* side = table.Sides.data() + table.First[low]; side != end;)
-    {
-      const HalfEdge* const begin = side;
-      while (side != end && side->High == begin->High)
-      {
-        ++side;
-      }
-      visit(EdgeGroup{ low, begin->High, begin, side });
-    }
-  }
-}
-
 /// One run of CheckTopology.
 class Checker
 {
@@ -176,14 +89,9 @@ private:
     return this->Result.Components[this->ComponentOfPoint[point]];
   }
 
-  bool RunsUpward(const HalfEdge& side) const
-  {
-    return this->Mesh.Triangles[side.Corner / 3][side.Corner % 3] < side.High;
-  }
-
   void Mark(const EdgeGroup& edge, int defect)
   {
-    for (const HalfEdge* side = edge.Begin; side != edge.End; ++side)
+    for (const EdgeSide* side = edge.Begin; side != edge.End; ++side)
     {
       this->Result.DefectOfTriangle[side->Corner / 3] |= defect;
     }
@@ -199,13 +107,11 @@ private:
       this->Mark(edge, DefectOpenEdge);
       return;
     }
-    int balance = 0;
-    for (const HalfEdge* side = edge.Begin; side != edge.End; ++side)
+    for (const EdgeSide* side = edge.Begin; side != edge.End; ++side)
     {
-      balance += this->RunsUpward(*side) ? 1 : -1;
       this->JoinFans(*edge.Begin, *side);
     }
-    if (std::abs(balance) > edge.Count() % 2)
+    if (!IsOriented(this->Mesh, edge))
     {
       ++figures.MisorientedEdges;
       this->Mark(edge, DefectMisorientedEdge);
@@ -223,7 +129,7 @@ private:
   }
 
   /// The corners of two triangles at the two ends of an edge that they share are of one fan each.
-  void JoinFans(const HalfEdge& a, const HalfEdge& b)
+  void JoinFans(const EdgeSide& a, const EdgeSide& b)
   {
     const int lowA = this->CornerAtLow(a);
     const int lowB = this->CornerAtLow(b);
@@ -233,17 +139,17 @@ private:
 
   static int NextCorner(int corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
 
-  int CornerAtLow(const HalfEdge& side) const
+  int CornerAtLow(const EdgeSide& side) const
   {
-    return this->RunsUpward(side) ? side.Corner : NextCorner(side.Corner);
+    return RunsUpward(this->Mesh, side) ? side.Corner : NextCorner(side.Corner);
   }
 
-  static int OtherEnd(const HalfEdge& side, int corner)
+  static int OtherEnd(const EdgeSide& side, int corner)
   {
     return corner == side.Corner ? NextCorner(side.Corner) : side.Corner;
   }
 
-  int PointOpposite(const HalfEdge& side) const
+  int PointOpposite(const EdgeSide& side) const
   {
     return this->Mesh.Triangles[side.Corner / 3][(side.Corner % 3 + 2) % 3];
   }
@@ -253,7 +159,7 @@ private:
   void FindDuplicates(const EdgeGroup& edge, TopologyFigures& figures)
   {
     this->Opposite.clear();
-    for (const HalfEdge* side = edge.Begin; side != edge.End; ++side)
+    for (const EdgeSide* side = edge.Begin; side != edge.End; ++side)
     {
       const int third = this->PointOpposite(*side);
       if (third > edge.High)

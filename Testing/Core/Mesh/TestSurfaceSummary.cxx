@@ -36,7 +36,7 @@ TEST(SurfaceSummary, NothingIsSaidToBeNothing)
   EXPECT_EQ(SummariseSurface(TriangleMesh(), true), "no surface");
 }
 
-/// The certificate's count of the same, which goes another way.
+/// The certificate's figures of the same edges.
 TEST(SurfaceSummary, CountsWhatTheCertificateCounts)
 {
   TriangleMesh mesh = MakeTorus(2, 0.5);
