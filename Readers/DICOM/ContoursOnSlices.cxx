@@ -3,6 +3,7 @@
 
 #include "Base/SubMonitor.h"
 #include "Base/Text.h"
+#include "Contours/ContourMeasures.h"
 #include "Contours/ContourSetBuilder.h"
 #include "Contours/Specks.h"
 #include "Implicit/Constraints/ContourFit.h"
@@ -95,8 +96,7 @@ const Level* LevelFor(const ContourSet& drawn, const TracePlane& plane)
   {
     return nullptr;
   }
-  const double offset =
-    plane.Offset * (Dot(first.Frame.Normal, plane.Frame.Normal) < 0 ? -1.0 : 1.0);
+  const double offset = OffsetAlong(first.Frame.Normal, plane.Frame.Normal, plane.Offset);
   if (offset <= first.Offset + InPlane)
   {
     return &first;

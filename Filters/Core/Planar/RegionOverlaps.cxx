@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Planar/RegionOverlaps.h"
 
-#include "Base/BoundingBox.h"
+#include "Contours/ContourMeasures.h"
 #include "Planar/Arrangement.h"
 #include "Planar/EdgeSweep.h"
 
@@ -153,21 +153,8 @@ private:
   std::map<std::int64_t, Strips> Areas;
 };
 
-BoundingBox<2> BoxOf(const ContourSet& contours, const Level& level)
-{
-  BoundingBox<2> box;
-  for (int c : level.Contours)
-  {
-    for (int p : contours.Contours[c].Points)
-    {
-      box.Add(contours.Planar[p]);
-    }
-  }
-  return box;
-}
-
 /// Also of a level without contours, whose box is empty.
-bool ShareNoArea(const BoundingBox<2>& a, const BoundingBox<2>& b)
+bool ShareNoArea(const Box2& a, const Box2& b)
 {
   return a.High[0] <= b.Low[0] || b.High[0] <= a.Low[0] || a.High[1] <= b.Low[1] ||
     b.High[1] <= a.Low[1];
@@ -177,7 +164,7 @@ bool ShareNoArea(const BoundingBox<2>& a, const BoundingBox<2>& b)
 std::vector<RegionOverlap> MeasureRegionOverlaps(
   const ContourSet& contours, const Level& lower, const Level& upper)
 {
-  if (ShareNoArea(BoxOf(contours, lower), BoxOf(contours, upper)))
+  if (ShareNoArea(PlanarBounds(contours, lower.Contours), PlanarBounds(contours, upper.Contours)))
   {
     return {};
   }

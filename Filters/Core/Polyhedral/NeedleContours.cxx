@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Polyhedral/NeedleContours.h"
 
-#include "Base/BoundingBox.h"
 #include "Base/Text.h"
+#include "Contours/ContourMeasures.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <limits>
@@ -35,19 +34,6 @@ double SquaredDistance(const ContourSet& contours, int contour, const Point2& pl
   return least;
 }
 
-double DiagonalOf(const ContourSet& contours, const std::vector<int>& among)
-{
-  Box2 box;
-  for (int c : among)
-  {
-    for (int p : contours.Contours[c].Points)
-    {
-      box.Add(contours.Planar[p]);
-    }
-  }
-  return box.Diagonal();
-}
-
 bool LiesWithin(const ContourSet& contours, int contour, int around)
 {
   while (contour >= 0 && contour != around)
@@ -58,21 +44,15 @@ bool LiesWithin(const ContourSet& contours, int contour, int around)
 }
 }
 
-double MeanWidth(const ContourSet& contours, int contour)
-{
-  const Contour& c = contours.Contours[contour];
-  return 2 * std::abs(c.SignedArea) / LengthAlong(contours.Points, c.Points);
-}
-
 std::vector<int> FindNeedle(
   const ContourSet& contours, const std::vector<int>& among, const Point2& place)
 {
-  const double widest = WidestNeedle * DiagonalOf(contours, among);
+  const double widest = WidestNeedle * PlanarBounds(contours, among).Diagonal();
   double least = std::numeric_limits<double>::infinity();
   int needle = -1;
   for (int c : among)
   {
-    const double distance = MeanWidth(contours, c) < widest
+    const double distance = MeanWidth(contours, contours.Contours[c]) < widest
       ? SquaredDistance(contours, c, place)
       : std::numeric_limits<double>::infinity();
     if (distance < least)
@@ -92,7 +72,7 @@ std::string DescribeNeedle(const ContourSet& contours, int contour)
   const Contour& c = contours.Contours[contour];
   return "Contour " + std::to_string(contour) + " (level " + std::to_string(c.Level) + ", offset " +
     Text(contours.Levels[c.Level].Offset) + ", " + Counted(c.Points.size(), "point") +
-    "): left out, as it is only " + Text(MeanWidth(contours, contour)) +
+    "): left out, as it is only " + Text(MeanWidth(contours, c)) +
     " wide and runs so near to others that their edges would take more points than any surface is "
     "worth; merge there what is narrower than the contours are accurate.";
 }

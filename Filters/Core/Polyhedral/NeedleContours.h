@@ -18,9 +18,6 @@
 
 namespace recon
 {
-/// Twice the area over the length: the width of what is long and narrow.
-double MeanWidth(const ContourSet& contours, int contour);
-
 /**
  * Of the contours of a level that are narrower than a hundred thousandth of its diagonal the one
  * nearest to the place, and all that lies within it; empty where there is none.

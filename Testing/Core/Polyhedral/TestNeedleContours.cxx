@@ -2,6 +2,7 @@
 // What is given up is narrow, near the place, and has no other contour left within it.
 #include "DegenerateStacks.h"
 
+#include "Contours/ContourMeasures.h"
 #include "Polyhedral/LevelTriangulation.h"
 #include "Polyhedral/NeedleContours.h"
 
@@ -43,7 +44,7 @@ TEST(NeedleContours, WidthOfALongTriangleIsThatOfItsMiddle)
     if (contours.Contours[c].Points.size() == 3)
     {
       const double area = std::abs(contours.Contours[c].SignedArea);
-      EXPECT_NEAR(MeanWidth(contours, c), area / 2, 1e-3 * area);
+      EXPECT_NEAR(MeanWidth(contours, contours.Contours[c]), area / 2, 1e-3 * area);
     }
   }
 }
@@ -94,6 +95,6 @@ TEST(NeedleContours, AreNamedWhereALevelCannotBeHadWithThem)
   for (int c : given)
   {
     EXPECT_EQ(named.count(c), 1u) << "contour " << c;
-    EXPECT_LT(MeanWidth(contours, c), 1e-4);
+    EXPECT_LT(MeanWidth(contours, contours.Contours[c]), 1e-4);
   }
 }

@@ -3,6 +3,7 @@
 
 #include "Base/BoundingBox.h"
 #include "Base/Median.h"
+#include "Contours/ContourMeasures.h"
 #include "Planar/PlanarEdges.h"
 
 #include <algorithm>
@@ -43,8 +44,7 @@ public:
     {
       return {};
     }
-    const double width =
-      2 * std::abs(contour.SignedArea) / LengthAlong(this->Contours.Points, contour.Points);
+    const double width = MeanWidth(this->Contours, contour);
     Side up = this->Nearest(contour, 1);
     Side down = this->Nearest(contour, -1);
     const double widest = TipSlenderness * this->Diagonal;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Implicit/Constraints/DrawnCounts.h"
 
+#include "Contours/ContourMeasures.h"
 #include "Implicit/ZeroSet/ContourTracer.h"
 
 #include <cmath>
@@ -24,11 +25,6 @@ int CountOf(const ContourSet& set, int level, double area)
     count += std::abs(set.Contours[c].SignedArea) >= area ? 1 : 0;
   }
   return count;
-}
-
-double HeightOf(const Level& level, const Vector3& normal)
-{
-  return level.Offset * (Dot(level.Frame.Normal, normal) < 0 ? -1 : 1);
 }
 
 /// -1: nothing was traced there.

@@ -5,6 +5,7 @@
 #include "Base/Parallel.h"
 #include "Base/SubMonitor.h"
 #include "Base/Text.h"
+#include "Contours/ContourMeasures.h"
 #include "Implicit/Constraints/SquarePatches.h"
 
 #include <algorithm>
@@ -88,7 +89,7 @@ DrawnSections::DrawnSections(const ContourSet& drawn, const std::vector<EmptyPla
     Section section;
     section.Frame = level.Frame;
     section.Offset = level.Offset;
-    section.Height = level.Offset * (Dot(level.Frame.Normal, normal) < 0 ? -1 : 1);
+    section.Height = HeightOf(level, normal);
     section.Level = l;
     section.Edges = l;
     for (const int c : level.Contours)
@@ -109,7 +110,7 @@ DrawnSections::DrawnSections(const ContourSet& drawn, const std::vector<EmptyPla
     {
       Section section;
       section.Frame = drawn.Levels.front().Frame;
-      section.Offset = plane.Offset * (Dot(plane.Normal, normal) < 0 ? -1 : 1);
+      section.Offset = OffsetAlong(normal, plane.Normal, plane.Offset);
       section.Height = section.Offset;
       this->Sections.push_back(section);
     }

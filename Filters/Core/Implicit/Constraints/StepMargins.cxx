@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Implicit/Constraints/StepMargins.h"
 
+#include "Contours/ContourMeasures.h"
 #include "Planar/PlanarEdges.h"
 
 #include <algorithm>
@@ -47,9 +48,8 @@ public:
 private:
   double HeightOf(int level) const
   {
-    const Vector3& normal = this->Contours.Levels.front().Frame.Normal;
-    const Level& l = this->Contours.Levels[level];
-    return l.Offset * (Dot(l.Frame.Normal, normal) < 0 ? -1 : 1);
+    return recon::HeightOf(
+      this->Contours.Levels[level], this->Contours.Levels.front().Frame.Normal);
   }
 
   std::vector<int> NeighboursOf(int level) const
