@@ -15,6 +15,7 @@
 
 #include <array>
 #include <cstddef>
+#include <string>
 #include <type_traits>
 
 namespace recon
@@ -79,6 +80,13 @@ template <typename Value>
 void AddValue(vtkFieldData* data, const char* name, const Value& value)
 {
   AddArray(data, name, std::array<Value, 1>{ value });
+}
+
+/// The text of that name; empty where there is none.
+inline std::string FieldText(vtkFieldData* data, const char* name)
+{
+  auto* array = vtkStringArray::SafeDownCast(data->GetAbstractArray(name));
+  return array && array->GetNumberOfValues() > 0 ? std::string(array->GetValue(0)) : std::string();
 }
 }
 

@@ -29,11 +29,10 @@ std::string SummariesOf(vtkDataObject* output)
   std::string text;
   for (const NamedPolyData& block : ListPolyData(output))
   {
-    auto* summary =
-      vtkStringArray::SafeDownCast(block.Data->GetFieldData()->GetAbstractArray(SummaryName));
-    if (summary && summary->GetNumberOfValues() > 0)
+    const std::string summary = FieldText(block.Data->GetFieldData(), SummaryName);
+    if (!summary.empty())
     {
-      text += (block.Name.empty() ? "" : block.Name + ": ") + summary->GetValue(0) + "\n";
+      text += (block.Name.empty() ? "" : block.Name + ": ") + summary + "\n";
     }
   }
   return text;

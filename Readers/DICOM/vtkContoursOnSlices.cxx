@@ -3,6 +3,7 @@
 
 #include "ContourConversion.h"
 #include "DICOM/ContoursOnSlices.h"
+#include "FieldArrays.h"
 #include "RunCore.h"
 #include "vtkContourMonitor.h"
 
@@ -11,7 +12,6 @@
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
-#include "vtkStringArray.h"
 
 #include <filesystem>
 #include <string>
@@ -26,16 +26,6 @@ struct vtkContoursOnSlices::KnownSlices
   std::filesystem::file_time_type Written;
   recon::SlicesOfReference Slices;
 };
-
-namespace
-{
-std::string FrameOf(vtkPolyData* input)
-{
-  auto* frame =
-    vtkStringArray::SafeDownCast(input->GetFieldData()->GetAbstractArray("FrameOfReferenceUID"));
-  return frame && frame->GetNumberOfValues() > 0 ? std::string(frame->GetValue(0)) : std::string();
-}
-}
 
 vtkContoursOnSlices::vtkContoursOnSlices() = default;
 
@@ -92,7 +82,9 @@ int vtkContoursOnSlices::RequestData(
       options.SmallestArea = this->SmallestArea;
       options.Threads = this->Threads;
       vtkContourMonitor reading(this, 0.0, 0.1);
-      const recon::SlicesOfReference& slices = this->ReadSlices(FrameOf(input), reading).Slices;
+      const recon::SlicesOfReference& slices =
+        this->ReadSlices(recon::FieldText(input->GetFieldData(), "FrameOfReferenceUID"), reading)
+          .Slices;
       vtkContourMonitor cleaning(this, 0.1, 0.2);
       const recon::ContourSet drawn =
         this->ReadContoursOfSolid(input, this->Method == Polyhedral, cleaning);

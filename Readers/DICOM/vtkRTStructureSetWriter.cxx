@@ -4,6 +4,7 @@
 #include "ContourConversion.h"
 #include "DICOM/ROIContours.h"
 #include "DICOM/StructureSetFormatter.h"
+#include "FieldArrays.h"
 #include "RunCore.h"
 #include "vtkContourMonitor.h"
 
@@ -160,12 +161,6 @@ void Collect(vtkPolyData* data, recon::ROIContours& contours, recon::WrittenROI&
   contours.Collect(PieceOf(data), roi);
 }
 
-std::string FieldText(vtkPolyData* data, const char* name)
-{
-  auto* array = vtkStringArray::SafeDownCast(data->GetFieldData()->GetAbstractArray(name));
-  return array && array->GetNumberOfValues() > 0 ? std::string(array->GetValue(0)) : std::string();
-}
-
 /// What the reader says about an ROI, from the first piece of the block.
 recon::StructureSetROI DescriptionOf(const Block& block)
 {
@@ -173,9 +168,9 @@ recon::StructureSetROI DescriptionOf(const Block& block)
   if (!block.Pieces.empty())
   {
     vtkPolyData* data = block.Pieces.front();
-    roi.Name = FieldText(data, "ROIName");
-    roi.Type = FieldText(data, "ROIType");
-    roi.FrameOfReferenceUID = FieldText(data, "FrameOfReferenceUID");
+    roi.Name = recon::FieldText(data->GetFieldData(), "ROIName");
+    roi.Type = recon::FieldText(data->GetFieldData(), "ROIType");
+    roi.FrameOfReferenceUID = recon::FieldText(data->GetFieldData(), "FrameOfReferenceUID");
     vtkDataArray* number = data->GetFieldData()->GetArray("ROINumber");
     roi.Number =
       number && number->GetNumberOfTuples() == 1 ? static_cast<int>(number->GetComponent(0, 0)) : 0;

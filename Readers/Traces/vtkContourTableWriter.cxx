@@ -3,6 +3,7 @@
 
 #include "Common/ClosedLoops.h"
 #include "ContourConversion.h"
+#include "FieldArrays.h"
 #include "RunCore.h"
 #include "SurfaceBlocks.h"
 #include "Table/ContourTableFormatter.h"
@@ -15,7 +16,6 @@
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
-#include "vtkStringArray.h"
 
 #include <utility>
 
@@ -23,12 +23,6 @@ vtkStandardNewMacro(vtkContourTableWriter);
 
 namespace
 {
-std::string FieldText(vtkPolyData* block, const char* name)
-{
-  auto* array = vtkStringArray::SafeDownCast(block->GetFieldData()->GetAbstractArray(name));
-  return array && array->GetNumberOfValues() > 0 ? array->GetValue(0) : std::string();
-}
-
 /// Closed contours; what is chained of loose pieces has no slice of its own.
 recon::LoopSoup LoopsOf(vtkPolyData* block, recon::Monitor& monitor)
 {
@@ -60,14 +54,14 @@ std::vector<int> SlicesOf(vtkPolyData* block, const recon::LoopSoup& soup)
 
 std::string NameOf(const recon::NamedPolyData& block)
 {
-  const std::string told = FieldText(block.Data, "ROIName");
+  const std::string told = recon::FieldText(block.Data->GetFieldData(), "ROIName");
   return !block.Name.empty() ? block.Name : !told.empty() ? told : "contours";
 }
 
 /// The unit that a block tells; that of DICOM is the millimetre.
 std::string UnitOf(vtkPolyData* block)
 {
-  const std::string told = FieldText(block, "LengthUnit");
+  const std::string told = recon::FieldText(block->GetFieldData(), "LengthUnit");
   const bool isDICOM = told.empty() && block->GetFieldData()->HasArray("FrameOfReferenceUID");
   return isDICOM ? "mm" : told;
 }

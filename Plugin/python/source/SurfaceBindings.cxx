@@ -42,14 +42,22 @@ void AddReport(std::vector<std::string> report, const std::vector<std::string>& 
   result["warning"] = warning;
 }
 
+/// What surfaces over joins have in common.
+template <typename Surface, typename Count>
+nb::dict FieldsOf(const Made<Surface>& made, Count leftOut)
+{
+  nb::dict field = LevelsOf(made.Contours);
+  field["ContourCount"] = made.Contours.Contours.size();
+  field["LeftOutCount"] = leftOut;
+  field["EndCapVolume"] = made.Output.EndCapVolume;
+  field["IsolatedVolume"] = made.Output.IsolatedVolume;
+  return field;
+}
+
 nb::dict FromPolyhedral(Made<PolyhedralSurface> made)
 {
   PolyhedralSurface& surface = made.Output;
-  nb::dict field = LevelsOf(made.Contours);
-  field["ContourCount"] = made.Contours.Contours.size();
-  field["EndCapVolume"] = surface.EndCapVolume;
-  field["IsolatedVolume"] = surface.IsolatedVolume;
-  field["LeftOutCount"] = CountLeftOut(made.Contours, surface.Mesh);
+  nb::dict field = FieldsOf(made, CountLeftOut(made.Contours, surface.Mesh));
   nb::dict cells;
   cells["Slab"] = ToNumpy(std::move(surface.Slab));
   cells["FaceKind"] = ToNumpy(std::move(surface.FaceKind));
@@ -68,11 +76,7 @@ nb::dict FromPolyhedral(Made<PolyhedralSurface> made)
 nb::dict FromFair(Made<FairSurface> made)
 {
   FairSurface& surface = made.Output;
-  nb::dict field = LevelsOf(made.Contours);
-  field["ContourCount"] = made.Contours.Contours.size();
-  field["LeftOutCount"] = surface.LeftOut;
-  field["EndCapVolume"] = surface.EndCapVolume;
-  field["IsolatedVolume"] = surface.IsolatedVolume;
+  nb::dict field = FieldsOf(made, surface.LeftOut);
   field["Tolerance"] = surface.Tolerance;
   field["EdgeLength"] = surface.EdgeLength;
   field["Tension"] = surface.Tension;
