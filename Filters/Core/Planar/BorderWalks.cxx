@@ -20,8 +20,12 @@ std::vector<BorderWalk> BorderWalks::Walk()
   std::vector<BorderWalk> walks;
   for (const auto& [point, balance] : this->Balance)
   {
+    if (balance <= 0)
+    {
+      continue;
+    }
     int left = balance;
-    for (int e : left > 0 ? this->Outgoing.at(point) : std::vector<int>())
+    for (int e : this->Outgoing.at(point))
     {
       if (left > 0 && !this->Edges[e].Used)
       {
@@ -69,8 +73,12 @@ BorderWalk BorderWalks::WalkFrom(int first, bool isOpen)
 int BorderWalks::NextAfter(const HalfEdge& last, int first) const
 {
   const auto found = this->Outgoing.find(last.To);
+  if (found == this->Outgoing.end())
+  {
+    return -1;
+  }
   int best = -1;
-  for (int e : found == this->Outgoing.end() ? std::vector<int>() : found->second)
+  for (int e : found->second)
   {
     if (this->Edges[e].Used && e != first)
     {

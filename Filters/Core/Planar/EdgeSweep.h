@@ -22,10 +22,10 @@ struct SweptEdge
 /**
  * One sweep from left to right (upward, where that is the same), with exact predicates: n log n.
  *
- * No point lies inside an edge, so either side of an edge is one face from end to end, and between an edge
- * and the one next below it is nothing. Whoever labels faces (by even-odd, by winding, by the
- * innermost loop) starts below the lowest edge with what is infinitely far out, hands the label above `Below` on to
- * below `Edge`, and changes it across `Edge`.
+ * No point lies inside an edge, so either side of an edge is one face from end to end, and between an
+ * edge and the one next below it is nothing. Whoever labels faces (by even-odd, by winding, by the
+ * innermost loop) starts below the lowest edge with what is infinitely far out, hands the label above
+ * `Below` on to below `Edge`, and changes it across `Edge`.
  *
  * @pre no two edges are equal, cross or overlap, and they meet in points that they share by index
  * @return the edges by their left ends, at one left end from low to high

@@ -51,8 +51,8 @@ struct Circle
 /**
  * Circles as trees: each hangs on the larger neighbour that it sticks out of least, and where two
  * trees meet the smaller root hangs on the larger one. At an edge of the convex hull a circle of ER
- * may hang on the half plane beyond, so that shallow bays are rounding, too. A branch is rounding where all of it sticks
- * out of what it hangs on by no more.
+ * may hang on the half plane beyond, so that shallow bays are rounding, too. A branch is rounding
+ * where all of it sticks out of what it hangs on by no more.
  *
  * Added up along a branch, what each circle sticks out of the one before is at least what the last
  * sticks out of the first, and the same where the branch is straight.
@@ -269,7 +269,7 @@ std::vector<unsigned char> FindInternalSkeleton(const LevelTriangulation& level,
 
 std::vector<Point2> InternalSkeletonVertices(const LevelTriangulation& level, double unit)
 {
-  return VerticesOf(level, Pruning(level, true, unit).Find());
+  return VerticesOf(level, FindInternalSkeleton(level, unit));
 }
 
 std::vector<Point2> ExternalSkeletonVertices(const LevelTriangulation& level, double unit)
