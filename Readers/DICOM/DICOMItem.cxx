@@ -3,13 +3,11 @@
 
 #include "Base/Monitor.h"
 
-#include <dcmtk/dcmdata/dcdict.h>
 #include <dcmtk/dcmdata/dcuid.h>
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <filesystem>
 #include <random>
 
 namespace recon
@@ -143,31 +141,6 @@ bool BeginsAsDICOM(const std::string& fileName)
   const auto isGroup = [&start](std::size_t low, std::size_t high)
   { return (start[low] == 2 || start[low] == 8) && start[high] == 0; };
   return start.size() >= 8 && (isGroup(0, 1) || isGroup(1, 0));
-}
-
-void LoadDICOM(const std::string& fileName, DcmFileFormat& file)
-{
-  const auto fail = [&fileName](const std::string& sentence)
-  { throw Error("Cannot read " + fileName + ": " + sentence); };
-  std::error_code status;
-  if (!std::filesystem::is_regular_file(fileName, status))
-  {
-    fail("there is no such file.");
-  }
-  if (std::filesystem::file_size(fileName, status) == 0)
-  {
-    fail("the file is empty.");
-  }
-  if (!dcmDataDict.isDictionaryLoaded())
-  {
-    fail("DCMTK has no data dictionary; install DCMTK's dicom.dic or set DCMDICTPATH to it.");
-  }
-  const OFCondition condition = file.loadFile(fileName.c_str());
-  if (condition.bad())
-  {
-    fail("it is no DICOM file or is damaged or truncated (DCMTK says: " +
-      std::string(condition.text()) + ").");
-  }
 }
 
 std::string ClassName(const std::string& uid)

@@ -74,9 +74,6 @@ void ForEachValue(std::string_view text, Visitor visit)
 /// Whether a file begins as DICOM files do, with preamble or without; nothing is said of the rest.
 bool BeginsAsDICOM(const std::string& fileName);
 
-/// A whole file. @throws Error where there is none, or where it is no DICOM file or damaged.
-void LoadDICOM(const std::string& fileName, DcmFileFormat& file);
-
 /// "RTStructureSetStorage", or the UID itself where DCMTK does not know it.
 std::string ClassName(const std::string& uid);
 

@@ -2,6 +2,7 @@
 #include "DICOM/ReferenceImages.h"
 
 #include "Base/Text.h"
+#include "DICOM/LoadDICOM.h"
 
 #include <algorithm>
 #include <cmath>
@@ -129,9 +130,7 @@ void FolderOfImages::Add(const std::filesystem::path& path)
     return;
   }
   DcmFileFormat file;
-  const OFCondition condition = file.loadFileUntilTag(
-    path.c_str(), EXS_Unknown, EGL_noChange, DCM_MaxReadLength, ERM_autoDetect, DCM_PixelData);
-  if (condition.bad())
+  if (!LoadDICOMUntil(path.string(), file, DCM_PixelData).empty())
   {
     this->Damaged.push_back(BaseName(path.string()));
     return;
@@ -307,8 +306,7 @@ ReferenceImages ReadReferenceImages(
   {
     result.Slices.push_back(image.Slice);
   }
-  result.First.loadFileUntilTag(found.Images.front().FileName.c_str(), EXS_Unknown, EGL_noChange,
-    DCM_MaxReadLength, ERM_autoDetect, DCM_PixelData);
+  LoadDICOMUntil(found.Images.front().FileName, result.First, DCM_PixelData); // as it was before
   return result;
 }
 }

@@ -4,6 +4,7 @@
 #include "Base/Text.h"
 #include "DICOM/DICOMCharacterSet.h"
 #include "DICOM/DICOMItem.h"
+#include "DICOM/LoadDICOM.h"
 
 #include <dcmtk/dcmdata/dcuid.h>
 
@@ -479,9 +480,7 @@ bool StructureSetFile::IsStructureSet(const std::string& fileName)
   }
   const QuietDCMTK quiet;
   DcmFileFormat file;
-  const OFCondition condition = file.loadFileUntilTag(
-    fileName.c_str(), EXS_Unknown, EGL_noChange, DCM_MaxReadLength, ERM_autoDetect, DCM_StudyDate);
-  return condition.good() &&
+  return LoadDICOMUntil(fileName, file, DCM_StudyDate).empty() &&
     GetText(*file.getDataset(), DCM_SOPClassUID) == UID_RTStructureSetStorage;
 }
 

@@ -3,6 +3,7 @@
 
 #include "Base/Text.h"
 #include "DICOM/DrawnSlices.h"
+#include "DICOM/LoadDICOM.h"
 #include "DICOM/ReferenceImages.h"
 
 #include <dcmtk/dcmdata/dcuid.h>

@@ -3,6 +3,7 @@
 #include "Readers/ReaderTesting.h"
 
 #include "DICOM/DICOMItem.h"
+#include "DICOM/LoadDICOM.h"
 
 #include <set>
 

@@ -134,6 +134,23 @@ TEST_F(StructureSet, ReadsEveryEncoding)
   }
 }
 
+TEST_F(StructureSet, ReadsWhatIsMarkedAsCompressed)
+{
+  // Only pixels are ever compressed, and a structure set has none: all else is explicit little endian.
+  StructureSetBuilder builder;
+  builder.AddROI(1, "A");
+  builder.AddContour("CLOSED_PLANAR", Triangle, 3);
+  builder.Save(this->Name("a.dcm"));
+  std::string bytes = Bytes(this->Name("a.dcm"));
+  const std::string plain = UID_LittleEndianExplicitTransferSyntax;
+  const std::string compressed = UID_RLELosslessTransferSyntax;
+  ASSERT_EQ(plain.size(), compressed.size());
+  ASSERT_NE(bytes.find(plain + '\0'), std::string::npos);
+  bytes.replace(bytes.find(plain + '\0'), plain.size(), compressed);
+  recon::StructureSetFile file(this->Write("b.dcm", bytes));
+  EXPECT_EQ(this->Contours(file).File.Soup.Points.size(), 3u);
+}
+
 TEST_F(StructureSet, ReadsContourDataThatIsTooLongForExplicitVR)
 {
   // 16 bits hold the length of a DS: DCMTK writes more than 65 534 bytes as UN, as others do.
