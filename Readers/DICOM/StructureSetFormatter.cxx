@@ -182,6 +182,7 @@ void Formatter::AddSeries()
   Put(this->Data(), DCM_FrameOfReferenceUID, this->Frames.front());
   const std::string label = DICOMText(this->Options.Label, LongestLabel);
   Put(this->Data(), DCM_StructureSetLabel, label.empty() ? "Reconstruction" : label);
+  Put(this->Data(), DCM_StructureSetDescription, NoMedicalDevice);
   Put(this->Data(), DCM_ApprovalStatus, "UNAPPROVED");
   if (this->Reference.IsStructureSet())
   {

@@ -18,6 +18,11 @@
 
 namespace recon
 {
+/// What every file says of itself, as its Structure Set Description (3006,0006).
+constexpr const char* NoMedicalDevice =
+  "Computed from drawn contours by a program that is no medical device. Not for diagnosis or "
+  "treatment before a qualified person has checked and approved every contour.";
+
 struct WrittenContour
 {
   std::vector<Point3> Points; ///< of a closed one the first is not repeated

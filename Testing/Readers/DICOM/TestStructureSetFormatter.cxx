@@ -167,6 +167,7 @@ TEST_F(StructureSetFormatter, TakesPatientStudyAndImagesOfTheReference)
   EXPECT_EQ(text(DCM_FrameOfReferenceUID), "1.2.3.9");
   EXPECT_EQ(text(DCM_StructureSetLabel), "A label that is");
   EXPECT_EQ(text(DCM_ApprovalStatus), "UNAPPROVED");
+  EXPECT_EQ(text(DCM_StructureSetDescription), recon::NoMedicalDevice);
   EXPECT_EQ(text(DCM_StructureSetDate).size(), 8u);
   EXPECT_NE(text(DCM_SOPInstanceUID), "1.2.3.4.5");
   EXPECT_EQ(text(DCM_SOPInstanceUID).rfind("2.25.", 0), 0u);
