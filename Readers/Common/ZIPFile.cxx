@@ -24,6 +24,10 @@ constexpr unsigned int Stored = 0;
 constexpr unsigned int Deflated = 8;
 constexpr unsigned int Encrypted = 1;
 constexpr std::size_t LargestFile = std::size_t(256) << 20; // no drawing of a person is larger
+// All files together may be so many times as large as the archive: outlines are about three times, and deflate ends
+// at a thousand.
+constexpr std::size_t MostInflation = 64;
+constexpr std::size_t SmallestArchive = 4096; // what is smaller unpacks to nothing large
 
 struct Entry
 {
@@ -87,6 +91,30 @@ std::vector<Entry> ReadDirectory(const std::string& fileName, std::string_view b
     at += EntrySize + nameLength + Number(bytes, at + 30, 2) + Number(bytes, at + 32, 2);
   }
   return entries;
+}
+
+/// Entries that share bytes, or that unpack to very many, would take time and memory beyond any bound in the file's
+/// size.
+void CheckSizes(const std::string& fileName, std::size_t size, const std::vector<Entry>& entries)
+{
+  std::size_t packed = 0;
+  std::size_t unpacked = 0;
+  for (const Entry& entry : entries)
+  {
+    packed += entry.Packed;
+    unpacked += entry.Method == Stored ? entry.Packed : entry.Size;
+  }
+  if (packed > size)
+  {
+    FailFile(
+      fileName, "the archive's directory tells of more bytes than there are; it is damaged.");
+  }
+  if (unpacked > MostInflation * std::max(size, SmallestArchive))
+  {
+    FailFile(fileName,
+      "the archive unpacks to more than " + std::to_string(MostInflation) +
+        " times its size; it is damaged, or made to do harm.");
+  }
 }
 
 /// Whether the packed bytes give so many and no other.
@@ -153,6 +181,7 @@ void ReadZIP(const std::string& fileName, const std::string& bytes,
   std::vector<std::string>& report, Monitor& monitor)
 {
   const std::vector<Entry> entries = ReadDirectory(fileName, bytes);
+  CheckSizes(fileName, bytes.size(), entries);
   std::string content;
   for (std::size_t i = 0; i < entries.size(); ++i)
   {

@@ -23,7 +23,8 @@ bool IsZIP(const std::string& start);
  * A file that cannot be unpacked (damaged, encrypted, of another method than deflate, larger than
  * 256 MB) is a sentence in the report, and costs itself only.
  *
- * @throws Error where the archive has no directory, or one that is no such thing.
+ * @throws Error where the archive has no directory, or one that is no such thing; where its files share bytes, or
+ * unpack to more than 64 times its size
  */
 void ReadZIP(const std::string& fileName, const std::string& bytes,
   const std::function<void(const std::string& name, const std::string& content)>& take,

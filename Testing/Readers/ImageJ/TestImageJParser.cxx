@@ -130,3 +130,23 @@ TEST_F(ImageJParser, SaysWhatIsWrong)
   damaged.replace(damaged.find("PK\x01\x02"), 4, "PKxx");
   this->Fails(damaged, "entry 1 of 1 of the archive's directory is damaged");
 }
+
+TEST_F(ImageJParser, ArchivesUnpackWithinABound)
+{
+  const std::string archive = ZIP({ { "good.roi", ROI(Square, 1, "a") } });
+  const std::size_t directory = archive.find("PK\x01\x02");
+  const std::size_t end = archive.find("PK\x05\x06");
+  // The same bytes a thousand times, under a thousand entries.
+  std::string shared = archive.substr(0, end);
+  for (int i = 1; i < 1000; ++i)
+  {
+    shared += archive.substr(directory, end - directory);
+  }
+  std::string tail = archive.substr(end);
+  tail.replace(10, 2, "\xe8\x03"); // 1000 entries
+  this->Fails(shared + tail, "tells of more bytes than there are; it is damaged");
+  std::string bomb = archive;
+  bomb.replace(directory + 10, 1, "\x08");             // deflated
+  bomb.replace(directory + 24, 4, "\x01\x01\x01\x0f"); // 250 MB
+  this->Fails(bomb, "unpacks to more than 64 times its size");
+}
