@@ -127,6 +127,11 @@ public:
       {
         command = command == 'M' ? 'L' : 'l'; // further points of a move are lines
       }
+      else if (command == 'Z' || command == 'z')
+      {
+        isWhole = false; // which takes no numbers, so that it would never come to the end of these
+        break;
+      }
       isWhole = this->Piece(command);
     }
     this->Finish(false);

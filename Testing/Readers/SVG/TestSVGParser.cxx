@@ -44,6 +44,15 @@ protected:
 };
 }
 
+TEST(SVGPath, EndsAtNumbersThatNoLetterTakes)
+{
+  for (const char* data : { "M0 0L1 0 1 1z 2 3", "M0 0L1 0 1 1Z-1", "M0 0L1 0 1 1z.5z" })
+  {
+    EXPECT_EQ(Path(data, false).size(), 1u) << data;
+  }
+  EXPECT_TRUE(Path("1 2 3 4", false).empty());
+}
+
 TEST(SVGPath, ReadsLinesOfEveryKind)
 {
   const std::vector<recon::Point2> square{ { 1, 1 }, { 4, 1 }, { 4, 5 }, { 1, 5 } };
