@@ -92,6 +92,15 @@ std::string GetText(DcmItem& item, const DcmTagKey& key)
   return std::string(Trimmed(std::string_view(value.c_str(), value.size())));
 }
 
+std::string GetUID(DcmItem& item, const DcmTagKey& key)
+{
+  constexpr std::size_t longest = 64; // PS3.5 9.1
+  std::string uid = GetText(item, key).substr(0, longest);
+  std::replace_if(
+    uid.begin(), uid.end(), [](char c) { return c != '.' && (c < '0' || c > '9'); }, '?');
+  return uid;
+}
+
 bool GetNumber(DcmItem& item, const DcmTagKey& key, int& value)
 {
   return ParseInteger(GetText(item, key), value);

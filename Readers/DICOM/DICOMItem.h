@@ -47,6 +47,9 @@ std::string_view Trimmed(std::string_view text);
 
 /// All values of an element, trimmed; empty where the item does not have it.
 std::string GetText(DcmItem& item, const DcmTagKey& key);
+/// A unique identifier, which sentences may show: '?' for all but the digits and full stops that it may have, and no more
+/// than the 64 of them that it may have.
+std::string GetUID(DcmItem& item, const DcmTagKey& key);
 bool GetNumber(DcmItem& item, const DcmTagKey& key, int& value);
 /// A value of several, such as a coordinate.
 bool GetNumber(DcmItem& item, const DcmTagKey& key, unsigned long index, double& value);

@@ -107,7 +107,7 @@ FramesOfContours::FramesOfContours(DcmItem& structureSet, const std::string& oth
 {
   for (DcmItem* roi : ItemsOf(structureSet, DCM_StructureSetROISequence))
   {
-    const std::string frame = GetText(*roi, DCM_ReferencedFrameOfReferenceUID);
+    const std::string frame = GetUID(*roi, DCM_ReferencedFrameOfReferenceUID);
     if (!frame.empty())
     {
       this->OfNumber.emplace(GetText(*roi, DCM_ROINumber), frame);
@@ -115,7 +115,7 @@ FramesOfContours::FramesOfContours(DcmItem& structureSet, const std::string& oth
   }
   for (DcmItem* item : ItemsOf(structureSet, DCM_ReferencedFrameOfReferenceSequence))
   {
-    const std::string frame = GetText(*item, DCM_FrameOfReferenceUID);
+    const std::string frame = GetUID(*item, DCM_FrameOfReferenceUID);
     for (const std::string& image : ListedImages(structureSet, frame))
     {
       this->OfImage.emplace(image, frame);
@@ -145,12 +145,12 @@ DcmItem* ImageOf(DcmItem& contour)
 void AddContour(DcmItem& image, std::vector<Point3> points, DrawnFrame& frame)
 {
   const Vector3 area = AreaVector(points);
-  const std::string uid = GetText(image, DCM_ReferencedSOPInstanceUID);
+  const std::string uid = GetUID(image, DCM_ReferencedSOPInstanceUID);
   DrawnImage& drawn = frame.Images[uid];
   if (drawn.Points.empty() || Norm(area) > Norm(drawn.Area))
   {
     drawn.Slice.InstanceUID = uid;
-    drawn.Slice.ClassUID = GetText(image, DCM_ReferencedSOPClassUID);
+    drawn.Slice.ClassUID = GetUID(image, DCM_ReferencedSOPClassUID);
     drawn.Area = area;
     drawn.Points = std::move(points);
   }
@@ -166,7 +166,7 @@ std::set<std::string> ListedImages(DcmItem& structureSet, const std::string& fra
   std::set<std::string> listed;
   for (DcmItem* item : ItemsOf(structureSet, DCM_ReferencedFrameOfReferenceSequence))
   {
-    if (GetText(*item, DCM_FrameOfReferenceUID) != frame)
+    if (GetUID(*item, DCM_FrameOfReferenceUID) != frame)
     {
       continue;
     }
@@ -176,7 +176,7 @@ std::set<std::string> ListedImages(DcmItem& structureSet, const std::string& fra
       {
         for (DcmItem* image : ItemsOf(*series, DCM_ContourImageSequence))
         {
-          listed.insert(GetText(*image, DCM_ReferencedSOPInstanceUID));
+          listed.insert(GetUID(*image, DCM_ReferencedSOPInstanceUID));
         }
       }
     }
@@ -201,7 +201,7 @@ DrawnSlices ReadDrawnSlices(DcmItem& structureSet, const std::string& frame, Mon
       result.Malformed += points.Fault.empty() ? 0 : 1;
       if (!points.Points.empty())
       {
-        const std::string uid = GetText(*image, DCM_ReferencedSOPInstanceUID);
+        const std::string uid = GetUID(*image, DCM_ReferencedSOPInstanceUID);
         AddContour(*image, std::move(points.Points), drawn[frames.FrameOf(*rois[r], uid)]);
       }
     }

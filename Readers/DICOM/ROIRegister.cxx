@@ -4,6 +4,7 @@
 #include "DICOM/DICOMText.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace recon
 {
@@ -29,10 +30,22 @@ int ROIRegister::NewNumber(int wanted)
 {
   if (wanted <= 0 || this->Numbers.count(wanted) > 0)
   {
-    wanted = this->Numbers.empty() ? 1 : std::max(0, *this->Numbers.rbegin()) + 1;
+    const int last = this->Numbers.empty() ? 0 : std::max(0, *this->Numbers.rbegin());
+    wanted = last == std::numeric_limits<int>::max() ? this->FirstFree() : last + 1;
   }
   this->Numbers.insert(wanted);
   return wanted;
+}
+
+int ROIRegister::FirstFree() const
+{
+  int free = 1;
+  for (auto taken = this->Numbers.lower_bound(free); taken != this->Numbers.end() && *taken == free;
+       ++taken)
+  {
+    ++free;
+  }
+  return free;
 }
 
 std::string ROIRegister::NewName(const std::string& wanted)

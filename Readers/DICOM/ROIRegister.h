@@ -21,7 +21,11 @@ public:
   /// Those of an ROI that the file has already.
   void Take(int number, const std::string& name);
 
-  /// wanted where that is free and not 0, otherwise the next after all.
+  /// One that something in the file refers to, whether it lists such an ROI or not: contours of no ROI must not become those
+  /// of a new one.
+  void TakeNumber(int number) { this->Numbers.insert(number); }
+
+  /// wanted where that is free and above 0, otherwise the next after all, or the first free one where there is none.
   int NewNumber(int wanted);
 
   /// wanted where that is free, otherwise with a number behind it. Names that differ by the case of
@@ -29,6 +33,8 @@ public:
   std::string NewName(const std::string& wanted);
 
 private:
+  int FirstFree() const;
+
   std::set<int> Numbers;
   std::set<std::string> Names; ///< in lower case
 };

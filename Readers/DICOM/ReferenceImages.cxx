@@ -41,8 +41,8 @@ void GetCount(DcmItem& image, const DcmTagKey& key, int& count)
 ReferenceSlice SliceOf(DcmItem& image)
 {
   ReferenceSlice slice;
-  slice.ClassUID = GetText(image, DCM_SOPClassUID);
-  slice.InstanceUID = GetText(image, DCM_SOPInstanceUID);
+  slice.ClassUID = GetUID(image, DCM_SOPClassUID);
+  slice.InstanceUID = GetUID(image, DCM_SOPInstanceUID);
   Vector3 row{};
   Vector3 column{};
   Point3 corner{};
@@ -138,8 +138,8 @@ void FolderOfImages::Add(const std::filesystem::path& path)
   DcmItem& data = *file.getDataset();
   Image image;
   image.FileName = path.string();
-  image.Series = GetText(data, DCM_SeriesInstanceUID);
-  image.Frame = GetText(data, DCM_FrameOfReferenceUID);
+  image.Series = GetUID(data, DCM_SeriesInstanceUID);
+  image.Frame = GetUID(data, DCM_FrameOfReferenceUID);
   image.IsLocalizer = GetText(data, DCM_ImageType).find("LOCALIZER") != std::string::npos;
   image.HasPlane = HasPlane(data);
   if (image.HasPlane)

@@ -150,7 +150,7 @@ private:
 
 void StructureSetFile::Internals::CheckClass()
 {
-  const std::string uid = GetText(this->Data(), DCM_SOPClassUID);
+  const std::string uid = GetUID(this->Data(), DCM_SOPClassUID);
   if (uid == UID_RTStructureSetStorage)
   {
     return;
@@ -188,15 +188,15 @@ std::string StructureSetFile::Internals::NameFrom(DcmItem& item, int number)
 /// That of the ROI, or the only one of the file.
 std::string StructureSetFile::Internals::FrameFrom(DcmItem& item)
 {
-  const std::string frame = GetText(item, DCM_ReferencedFrameOfReferenceUID);
+  const std::string frame = GetUID(item, DCM_ReferencedFrameOfReferenceUID);
   if (!frame.empty())
   {
     return frame;
   }
   const std::vector<DcmItem*> frames =
     ItemsOf(this->Data(), DCM_ReferencedFrameOfReferenceSequence);
-  return frames.size() == 1 ? GetText(*frames[0], DCM_FrameOfReferenceUID)
-    : frames.empty()        ? GetText(this->Data(), DCM_FrameOfReferenceUID)
+  return frames.size() == 1 ? GetUID(*frames[0], DCM_FrameOfReferenceUID)
+    : frames.empty()        ? GetUID(this->Data(), DCM_FrameOfReferenceUID)
                             : std::string();
 }
 
@@ -481,7 +481,7 @@ bool StructureSetFile::IsStructureSet(const std::string& fileName)
   const QuietDCMTK quiet;
   DcmFileFormat file;
   return LoadDICOMUntil(fileName, file, DCM_StudyDate).empty() &&
-    GetText(*file.getDataset(), DCM_SOPClassUID) == UID_RTStructureSetStorage;
+    GetUID(*file.getDataset(), DCM_SOPClassUID) == UID_RTStructureSetStorage;
 }
 
 StructureSetFile::StructureSetFile(const std::string& fileName)

@@ -150,7 +150,7 @@ void Formatter::AddPatientAndStudy()
   {
     CopyElement(this->Reference.Data(), key, this->Data());
   }
-  if (GetText(this->Data(), DCM_StudyInstanceUID).empty())
+  if (GetUID(this->Data(), DCM_StudyInstanceUID).empty())
   {
     Put(this->Data(), DCM_StudyInstanceUID, NewUID());
   }
@@ -188,7 +188,7 @@ void Formatter::AddSeries()
   {
     DcmItem& before = AppendItem(this->Data(), DCM_PredecessorStructureSetSequence);
     Put(before, DCM_ReferencedSOPClassUID, UID_RTStructureSetStorage);
-    Put(before, DCM_ReferencedSOPInstanceUID, GetText(this->Reference.Data(), DCM_SOPInstanceUID));
+    Put(before, DCM_ReferencedSOPInstanceUID, GetUID(this->Reference.Data(), DCM_SOPInstanceUID));
   }
 }
 
@@ -207,6 +207,15 @@ void Formatter::CopyROIs()
     int number = 0;
     GetNumber(*roi, DCM_ROINumber, number);
     this->Register.Take(number, GetText(*roi, DCM_ROIName));
+  }
+  for (const DcmTagKey& key : { DCM_ROIContourSequence, DCM_RTROIObservationsSequence })
+  {
+    for (DcmItem* item : ItemsOf(reference, key))
+    {
+      int number = 0;
+      GetNumber(*item, DCM_ReferencedROINumber, number);
+      this->Register.TakeNumber(number);
+    }
   }
   for (DcmItem* observation : ItemsOf(reference, DCM_RTROIObservationsSequence))
   {

@@ -71,7 +71,7 @@ StructureSetReference::StructureSetReference(const std::string& path, Monitor& m
     return;
   }
   LoadDICOM(path, this->File);
-  const std::string classUID = GetText(this->Data(), DCM_SOPClassUID);
+  const std::string classUID = GetUID(this->Data(), DCM_SOPClassUID);
   if (classUID == UID_RTStructureSetStorage)
   {
     this->TakeStructureSet(path, monitor);
@@ -79,7 +79,7 @@ StructureSetReference::StructureSetReference(const std::string& path, Monitor& m
   else if (HasPlane(this->Data()))
   {
     const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
-    this->TakeImages(folder.string(), GetText(this->Data(), DCM_SeriesInstanceUID), monitor);
+    this->TakeImages(folder.string(), GetUID(this->Data(), DCM_SeriesInstanceUID), monitor);
   }
   else
   {
@@ -120,15 +120,15 @@ void StructureSetReference::TakeFrames()
   };
   for (DcmItem* frame : ItemsOf(this->Data(), DCM_ReferencedFrameOfReferenceSequence))
   {
-    take(GetText(*frame, DCM_FrameOfReferenceUID));
+    take(GetUID(*frame, DCM_FrameOfReferenceUID));
   }
   for (DcmItem* roi : ItemsOf(this->Data(), DCM_StructureSetROISequence))
   {
-    take(GetText(*roi, DCM_ReferencedFrameOfReferenceUID));
+    take(GetUID(*roi, DCM_ReferencedFrameOfReferenceUID));
   }
   if (this->Frames.empty())
   {
-    take(GetText(this->Data(), DCM_FrameOfReferenceUID));
+    take(GetUID(this->Data(), DCM_FrameOfReferenceUID));
   }
   this->NamesFrames = !this->Frames.empty();
   if (!this->NamesFrames)
@@ -198,7 +198,7 @@ void StructureSetReference::AddImagesTo(DcmItem& data, const std::vector<std::st
   std::set<std::string> there;
   for (DcmItem* frame : ItemsOf(data, DCM_ReferencedFrameOfReferenceSequence))
   {
-    there.insert(GetText(*frame, DCM_FrameOfReferenceUID));
+    there.insert(GetUID(*frame, DCM_FrameOfReferenceUID));
   }
   for (const std::string& frame : frames)
   {
@@ -223,7 +223,7 @@ void StructureSetReference::CopyFrames(DcmItem& data)
   const auto hasUID = [&](DcmItem& frame)
   {
     Prune(frame, DCM_RTReferencedStudySequence, hasSeries);
-    return !GetText(frame, DCM_FrameOfReferenceUID).empty();
+    return !GetUID(frame, DCM_FrameOfReferenceUID).empty();
   };
   Prune(data, DCM_ReferencedFrameOfReferenceSequence, hasUID);
 }
@@ -240,9 +240,9 @@ void StructureSetReference::MakeFrame(const std::string& frame, DcmItem& data)
   DcmItem& study = AppendItem(item, DCM_RTReferencedStudySequence);
   // The class is retired, and what the standard still wants here.
   Put(study, DCM_ReferencedSOPClassUID, UID_RETIRED_DetachedStudyManagementSOPClass);
-  Put(study, DCM_ReferencedSOPInstanceUID, GetText(image, DCM_StudyInstanceUID));
+  Put(study, DCM_ReferencedSOPInstanceUID, GetUID(image, DCM_StudyInstanceUID));
   DcmItem& series = AppendItem(study, DCM_RTReferencedSeriesSequence);
-  Put(series, DCM_SeriesInstanceUID, GetText(image, DCM_SeriesInstanceUID));
+  Put(series, DCM_SeriesInstanceUID, GetUID(image, DCM_SeriesInstanceUID));
   for (const ReferenceSlice& slice : this->GetSlices(frame).GetSlices())
   {
     AddImage(slice.ClassUID, slice.InstanceUID, series);

@@ -71,6 +71,20 @@ TEST(DICOMItem, ContourPoints)
   EXPECT_TRUE(recon::GetContourPoints(none).Points.empty());
 }
 
+TEST(DICOMItem, IdentifiersCanBeShown)
+{
+  DcmItem item;
+  const auto uid = [&item](const std::string& bytes)
+  {
+    item.putAndInsertString(DCM_SOPClassUID, bytes.c_str(), static_cast<Uint32>(bytes.size()));
+    return recon::GetUID(item, DCM_SOPClassUID);
+  };
+  EXPECT_EQ(uid(std::string("1.2.30\0", 7)), "1.2.30");
+  EXPECT_EQ(uid(std::string("1.2\0003\xff.4", 8)), "1.2?3?.4");
+  EXPECT_EQ(uid(std::string(100, '1')), std::string(64, '1'));
+  EXPECT_EQ(recon::GetUID(item, DCM_StudyInstanceUID), "");
+}
+
 using DICOMItemFolder = Folder;
 
 TEST_F(DICOMItemFolder, FilesAreToldByTheirBeginning)

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 TEST(ROIRegister, NumbersAreKeptWhereTheyAreFree)
 {
   recon::ROIRegister empty;
@@ -13,6 +15,18 @@ TEST(ROIRegister, NumbersAreKeptWhereTheyAreFree)
   EXPECT_EQ(taken.NewNumber(7), 8);
   EXPECT_EQ(taken.NewNumber(-1), 9);
   EXPECT_EQ(taken.NewNumber(0), 10);
+}
+
+TEST(ROIRegister, NumbersThatSomethingRefersToAreNotFree)
+{
+  recon::ROIRegister taken;
+  taken.TakeNumber(1);
+  EXPECT_EQ(taken.NewNumber(0), 2);
+  taken.TakeNumber(std::numeric_limits<int>::max());
+  EXPECT_EQ(taken.NewNumber(0), 3);
+  EXPECT_EQ(taken.NewNumber(std::numeric_limits<int>::max()), 4);
+  taken.TakeNumber(std::numeric_limits<int>::min());
+  EXPECT_EQ(taken.NewNumber(-3), 5);
 }
 
 TEST(ROIRegister, NamesGetANumberWhereTheyAreTaken)
