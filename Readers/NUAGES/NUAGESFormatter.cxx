@@ -48,7 +48,8 @@ Loop CheckedLoop(const LoopSoup& soup, int number, double tolerance)
         "); rotate the contours with the Transform filter first.");
     }
   }
-  if (loop.Points.size() > 1 && soup.Points[loop.Points.back()] == soup.Points[loop.Points.front()])
+  while (
+    loop.Points.size() > 1 && soup.Points[loop.Points.back()] == soup.Points[loop.Points.front()])
   {
     loop.Points.pop_back();
   }

@@ -85,7 +85,7 @@ private:
   static std::vector<int> LoopOf(const LoopSoup& soup, const LoopSoup::Chain& chain)
   {
     std::vector<int> loop = chain.Points;
-    if (loop.size() > 1 && soup.Points[loop.front()] == soup.Points[loop.back()])
+    while (loop.size() > 1 && soup.Points[loop.front()] == soup.Points[loop.back()])
     {
       loop.pop_back();
     }

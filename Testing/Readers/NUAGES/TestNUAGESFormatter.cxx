@@ -63,8 +63,8 @@ TEST_F(NUAGESFormatter, RoundTripIsExactToTheLastBit)
 TEST_F(NUAGESFormatter, WritesSectionsByHeightAndLeavesOutTheClosingPoint)
 {
   recon::LoopSoup soup = SquareAt(2);
-  soup.Points.push_back({ 0, 0, 2 }); // the first point again, under another index
-  soup.Chains[0].Points.push_back(4);
+  soup.Points.push_back({ 0, 0, 2 }); // the first point again, under another index, and twice
+  soup.Chains[0].Points.insert(soup.Chains[0].Points.end(), { 4, 4 });
   for (const recon::Point3& p : { recon::Point3{ 5, 5, 1 }, { 6, 5, 1 }, { 6, 6, 1 } })
   {
     soup.Points.push_back(p);

@@ -128,3 +128,12 @@ TEST_F(ContourTableFormatter, NoFileOfWhatIsNoNumber)
   EXPECT_THROW(recon::WriteContourTable(there, file, this->Monitor), recon::Error);
   EXPECT_EQ(Bytes(there), "what was there");
 }
+
+TEST_F(ContourTableFormatter, TheFirstPointIsNotRepeatedHoweverOftenItWas)
+{
+  recon::TracedFile file;
+  file.Objects.emplace_back();
+  file.Objects[0].Name = "a";
+  AddLoop(file.Objects[0], { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 0, 0 }, { 0, 0, 0 } }, 0);
+  EXPECT_EQ(PointsOf(this->Back(file).Objects.at(0), 0).size(), 3u);
+}
