@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The VTK modules over the core and the parsers, and the ParaView plugin that is made of them.
-find_package(ParaView 5.11 REQUIRED COMPONENTS RemotingCore)
+include("${CMAKE_CURRENT_LIST_DIR}/PythonModuleNames.cmake")
+# The optional one for what ParaView 5.13's own libraries are linked with (HDF5, netCDF): its files then look for that.
+find_package(ParaView 5.11 REQUIRED COMPONENTS RemotingCore OPTIONAL_COMPONENTS RemotingServerManager)
 set(BUILD_SHARED_LIBS ON)
 
 # The VTK modules; each has a vtk.module and a list of its classes.

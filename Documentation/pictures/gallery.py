@@ -28,7 +28,9 @@ def show(view, source, colour, shift=(0, 0, 0), opacity=1.0, style="Surface", wi
     display.EdgeColor = [0.3, 0.3, 0.35]
     display.Opacity = opacity
     display.LineWidth = width
-    display.Position = list(shift)
+    # The property's name since ParaView 5.13, and before.
+    name = "Translation" if display.GetProperty("Translation") else "Position"
+    display.SetPropertyWithName(name, list(shift))
 
 
 def contours(name):
