@@ -27,7 +27,7 @@ html_sidebars = {"**": ["about.html", "navigation.html", "searchbox.html"]}
 html_show_sphinx = False
 exclude_patterns = []
 """
-LISTS = (("Use it", ["README", "Documentation/package", "Documentation/recipes", "Documentation/stages", "Documentation/choosing",
+LISTS = (("Use it", ["README", "Documentation/installation", "Documentation/package", "Documentation/recipes", "Documentation/stages", "Documentation/choosing",
                      "Documentation/fair-surface", "Documentation/formats", "Documentation/command-line", "Documentation/python",
                      "Documentation/structure-sets", "Documentation/examples", "Documentation/gallery",
                      "Documentation/nodes", "Documentation/nodes/index"]),
