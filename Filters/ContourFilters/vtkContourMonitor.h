@@ -31,7 +31,7 @@ public:
   vtkContourMonitor(const vtkContourMonitor&) = delete;
   vtkContourMonitor& operator=(const vtkContourMonitor&) = delete;
 
-  bool AbortRequested() override { return this->Algorithm->CheckAbort(); }
+  bool AbortRequested() override { return IsAborted(this->Algorithm, 0); }
 
 protected:
   void OnProgress(double fraction, const char* stage) override
@@ -52,6 +52,18 @@ protected:
   }
 
 private:
+  /// Also by a filter further down, where VTK knows of that (after 9.1).
+  template <typename Any>
+  static auto IsAborted(Any* algorithm, int) -> decltype(algorithm->CheckAbort())
+  {
+    return algorithm->CheckAbort();
+  }
+  template <typename Any>
+  static bool IsAborted(Any* algorithm, long)
+  {
+    return algorithm->GetAbortExecute() != 0;
+  }
+
   vtkAlgorithm* Algorithm;
   double From;
   double To;

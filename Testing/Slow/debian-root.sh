@@ -58,6 +58,14 @@ make_root()
     { tail "$work_dir/apt.log"; exit 1; }
 }
 
+# What is committed in $source_dir, as /root/project.
+clone()
+{
+  # Through a bundle: the root filesystem sees what is committed, and nothing of this machine.
+  git -C "$source_dir" bundle create "$root/root/project.bundle" HEAD >/dev/null 2>&1
+  in_root git -c advice.detachedHead=false clone -q /root/project.bundle /root/project
+}
+
 report()
 {
   echo

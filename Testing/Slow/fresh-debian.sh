@@ -13,13 +13,6 @@ work_dir="${3:-$(mktemp -d -t fresh-debian.XXXXXX)}"
 # shellcheck source=debian-root.sh
 source "$here/debian-root.sh"
 
-clone()
-{
-  # Through a bundle: the root filesystem sees what is committed, and nothing of this machine.
-  git -C "$source_dir" bundle create "$root/root/project.bundle" HEAD >/dev/null 2>&1
-  in_root git -c advice.detachedHead=false clone -q /root/project.bundle /root/project
-}
-
 timed "debootstrap, git" make_root git ca-certificates
 timed "clone" clone
 ((status == 0)) || exit 1
