@@ -13,6 +13,8 @@
 #include "Base/Predicates.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <utility>
 
 namespace recon
@@ -217,23 +219,90 @@ PairRelation RelateInPlane(
 }
 }
 
-PairRelation RelateTriangles(const TriangleMesh& mesh, int s, int t)
+namespace
+{
+/// Corners of s and of t, those that they share first.
+struct SharedCorners
+{
+  int Count = 0;
+  std::array<const Point3*, 3> OfS{};
+  std::array<const Point3*, 3> OfT{};
+};
+
+SharedCorners FindSharedCorners(const TriangleMesh& mesh, int s, int t)
 {
   const auto& first = mesh.Triangles[s];
   const auto& second = mesh.Triangles[t];
-  int shared = 0;
-  const Point3* sharedCorner = nullptr;
-  const Point3* opposite = nullptr; // the corner of t that is not of s, where there is just one
+  SharedCorners corners;
+  corners.OfS.fill(&mesh.Points[first[0]]); // of triangles that have a corner twice
+  corners.OfT.fill(&mesh.Points[second[0]]);
+  std::size_t shared = 0, restOfS = 3, restOfT = 3;
   for (const int p : second)
   {
     const bool isShared = p == first[0] || p == first[1] || p == first[2];
-    shared += isShared ? 1 : 0;
-    (isShared ? sharedCorner : opposite) = &mesh.Points[p];
+    corners.OfT[isShared ? shared++ : --restOfT] = &mesh.Points[p];
+  }
+  corners.Count = static_cast<int>(shared);
+  for (const int p : first)
+  {
+    const bool isShared = p == second[0] || p == second[1] || p == second[2];
+    if (!isShared)
+    {
+      corners.OfS[--restOfS] = &mesh.Points[p];
+    }
+  }
+  std::copy_n(corners.OfT.begin(), shared, corners.OfS.begin());
+  return corners;
+}
+
+Vector3 UnitOf(const Vector3& v)
+{
+  return (1 / Norm(v)) * v;
+}
+
+/// The sign of the product is beyond doubt, though its vectors are differences that were rounded.
+bool IsClearlyPositive(const Vector3& n, const Vector3& v)
+{
+  const double sum = std::fabs(n[0] * v[0]) + std::fabs(n[1] * v[1]) + std::fabs(n[2] * v[2]);
+  return Dot(n, v) > 1e-14 * sum && sum > 1e-280;
+}
+
+/// One corner in common, and a plane through it clearly between all the others.
+bool ArePartedAtCorner(const SharedCorners& corners)
+{
+  const Point3& v = *corners.OfS[0];
+  const Vector3 a = *corners.OfS[1] - v, b = *corners.OfS[2] - v;
+  const Vector3 c = *corners.OfT[1] - v, d = *corners.OfT[2] - v;
+  const Vector3 n = UnitOf(c) + UnitOf(d) - (UnitOf(a) + UnitOf(b));
+  return IsClearlyPositive(n, c) && IsClearlyPositive(n, d) && IsClearlyPositive(-1.0 * n, a) &&
+    IsClearlyPositive(-1.0 * n, b);
+}
+
+/// Two corners in common, and the third ones not on one side of that edge: the angle of the triangles
+/// is more than a right one.
+bool ArePartedAtEdge(const SharedCorners& corners)
+{
+  const Point3& a = *corners.OfS[0];
+  const Vector3 edge = *corners.OfS[1] - a;
+  const Vector3 u = *corners.OfS[2] - a, v = *corners.OfT[2] - a;
+  const double across = Dot(u, v) - Dot(u, edge) / Dot(edge, edge) * Dot(v, edge);
+  return across < -1e-10 * Norm(u) * Norm(v);
+}
+}
+
+PairRelation RelateTriangles(const TriangleMesh& mesh, int s, int t)
+{
+  const SharedCorners corners = FindSharedCorners(mesh, s, t);
+  const int shared = corners.Count;
+  // What most neighbours are; exact signs of what lies in one plane that is tilted take long.
+  if ((shared == 1 && ArePartedAtCorner(corners)) || (shared == 2 && ArePartedAtEdge(corners)))
+  {
+    return PairRelation::Clean;
   }
   const Corners a = CornersOf(mesh, s);
   const Corners b = CornersOf(mesh, t);
   // In different planes, triangles with two common corners meet in that edge only.
-  if (shared == 2 && Orientation3(*a[0], *a[1], *a[2], *opposite) != 0)
+  if (shared == 2 && Orientation3(*a[0], *a[1], *a[2], *corners.OfT[2]) != 0)
   {
     return PairRelation::Clean;
   }
@@ -253,7 +322,7 @@ PairRelation RelateTriangles(const TriangleMesh& mesh, int s, int t)
   }
   if (sidesOfT == Signs{ 0, 0, 0 })
   {
-    return RelateInPlane(a, b, shared, sharedCorner);
+    return RelateInPlane(a, b, shared, corners.OfT[0]);
   }
   return RelateAcrossPlanes(a, b, sidesOfS, sidesOfT, shared);
 }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <random>
 
 using namespace recon;
 
@@ -84,4 +85,46 @@ TEST(TrianglePair, WithoutAreaThereIsNoRelation)
 {
   EXPECT_EQ(Relate(Flat, { { { 1, 1, 0 }, { 1, 1, 0 }, { 1, 1, 0 } } }), PairRelation::Clean);
   EXPECT_EQ(Relate(Flat, { { { 1, 1, -1 }, { 1, 1, 0 }, { 1, 1, 1 } } }), PairRelation::Clean);
+}
+
+TEST(TrianglePair, CornersThatAreSharedHideNoCrossing)
+{
+  // The same triangles with points of their own cross or overlap just then; corners of a grid, as it is
+  // and sheared so that coordinates round.
+  std::mt19937 random(1);
+  std::uniform_int_distribution<int> whole(-2, 2);
+  int crossing = 0, overlapping = 0, clean = 0;
+  for (int i = 0; i < 200000; ++i)
+  {
+    TriangleMesh shared;
+    for (int p = 0; p < 5; ++p)
+    {
+      const double x = whole(random), y = whole(random), z = i % 3 == 0 ? 0 : whole(random);
+      shared.Points.push_back(i % 2 == 0
+          ? Point3{ x, y, z }
+          : Point3{ x + 0.1 * y + 0.7 * z, 0.3 * x + y, z / 3 - 0.9 * y });
+    }
+    shared.Triangles = { { 0, 1, 2 }, { 0, 3, i % 5 < 2 ? 1 : 4 } };
+    TriangleMesh apart;
+    for (const auto& corners : shared.Triangles)
+    {
+      const int first = static_cast<int>(apart.Points.size());
+      for (int p : corners)
+      {
+        apart.Points.push_back(shared.Points[p]);
+      }
+      apart.Triangles.push_back({ first, first + 1, first + 2 });
+    }
+    const PairRelation by = RelateTriangles(shared, 0, 1);
+    const PairRelation of = RelateTriangles(apart, 0, 1);
+    const auto isBad = [](PairRelation relation)
+    { return relation == PairRelation::Crossing || relation == PairRelation::Overlapping; };
+    ASSERT_TRUE(isBad(by) == isBad(of) && (!isBad(of) || by == of)) << i;
+    crossing += of == PairRelation::Crossing ? 1 : 0;
+    overlapping += of == PairRelation::Overlapping ? 1 : 0;
+    clean += by == PairRelation::Clean ? 1 : 0;
+  }
+  EXPECT_GT(crossing, 1000);
+  EXPECT_GT(overlapping, 1000);
+  EXPECT_GT(clean, 1000);
 }
