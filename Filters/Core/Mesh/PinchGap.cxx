@@ -2,6 +2,7 @@
 #include "Mesh/PinchGap.h"
 
 #include "Base/Median.h"
+#include "Mesh/TriangleMeasures.h"
 #include "Mesh/TrianglePair.h"
 #include "Mesh/TriangleTree.h"
 
@@ -113,16 +114,6 @@ private:
     }
   }
 
-  Vector3 NormalOf(int triangle) const
-  {
-    const auto& corners = this->Mesh.Triangles[triangle];
-    const Point3& a = this->Mesh.Points[corners[0]];
-    const Vector3 normal =
-      Cross(this->Mesh.Points[corners[1]] - a, this->Mesh.Points[corners[2]] - a);
-    const double length = Norm(normal);
-    return length > 0 ? (1 / length) * normal : Vector3{ 0, 0, 0 };
-  }
-
   /// Normals of a fan's faces, turned so that they look away from the axis of its cone: out of the
   /// solid where that is a wedge, into it where the solid is around an empty wedge.
   std::vector<Vector3> NormalsOf(int point) const
@@ -132,7 +123,7 @@ private:
     Vector3 sum{ 0, 0, 0 };
     for (int t : this->Fans[this->FanOf[point]])
     {
-      normals.push_back(this->NormalOf(t));
+      normals.push_back(UnitNormalOf(this->Mesh, t));
       sum = sum + normals.back();
       for (int p : this->Mesh.Triangles[t])
       {
@@ -340,12 +331,7 @@ private:
     };
     for (int t : triangles)
     {
-      Box3 box;
-      for (int p : this->Mesh.Triangles[t])
-      {
-        box.Add(this->Mesh.Points[p]);
-      }
-      tree.VisitMeeting(box.Grown(2 * this->Gap),
+      tree.VisitMeeting(BoxOf(this->Mesh, t).Grown(2 * this->Gap),
         [&](int other)
         {
           if (other == t)

@@ -2,6 +2,7 @@
 #include "Polyhedral/PolyhedralSurface.h"
 
 #include "Base/Text.h"
+#include "Mesh/CrossingRepair.h"
 #include "Mesh/PinchGap.h"
 #include "Polyhedral/FaceGroups.h"
 #include "Polyhedral/PinchedPoints.h"
@@ -18,6 +19,10 @@ namespace
 {
 /// Share of the progress bar that the stages before the surface take.
 constexpr double StagesShare = 0.85;
+
+/// Where points round, they may move so far that sheets do not cross, in median lengths of an edge:
+/// no farther than what draws sheets apart.
+constexpr double LargestNudge = 1e-3;
 
 /// The solid's boundary with everything that the user may want to know about its faces and points.
 class SurfaceWriter
@@ -42,6 +47,7 @@ public:
     this->CopyPoints(solid, boundary);
     this->CopyFaces(solid, boundary);
     this->MeasureCaps(solid);
+    this->UndoCrossings();
     this->OpenPinches();
     this->Observer.Update(1, "extracting the surface");
     return std::move(this->Result);
@@ -129,6 +135,47 @@ private:
       {
         this->Result.PointKind.push_back(this->Result.PointKind[original]);
       }
+    }
+  }
+
+  /// Whether points of space differ from those in whose coordinates the topology was decided.
+  bool PointsRound() const
+  {
+    return this->Contours.Levels[0].Grid > 0 || !this->Stages.Alignment.IsEmpty();
+  }
+
+  void UndoCrossings()
+  {
+    if (!this->PointsRound())
+    {
+      return;
+    }
+    CrossingRepairOptions repair;
+    repair.Reach = LargestNudge * MedianEdgeLength(this->Result.Mesh);
+    repair.Frame = this->Contours.Levels[0].Frame;
+    repair.Threads = this->Options.Threads;
+    for (int kind : this->Result.PointKind)
+    {
+      repair.MayMove.push_back(kind != LevelTriangulation::InputVertex ? 1 : 0);
+    }
+    const CrossingRepairResult repaired =
+      recon::UndoCrossings(this->Result.Mesh, repair, this->Observer);
+    for (int whole : repaired.PartOf)
+    {
+      this->Result.Slab.push_back(this->Result.Slab[whole]);
+      this->Result.FaceKind.push_back(this->Result.FaceKind[whole]);
+      this->Result.MappingGroup.push_back(this->Result.MappingGroup[whole]);
+      this->Result.Piece.push_back(this->Result.Piece[whole]);
+    }
+    this->Result.PointKind.resize(this->Result.Mesh.Points.size(), LevelTriangulation::Internal);
+    if (repaired.Found > 0)
+    {
+      this->Result.Report.push_back("Rounding of points made the surface cross itself in " +
+        Counted(repaired.Found, "pair") + " of triangles; " + Counted(repaired.Moved, "point") +
+        ", none of a contour, moved by at most " + Text(repaired.Farthest) +
+        (repaired.Left > 0 ? ", but " + Counted(repaired.Left, "pair") + " still " +
+              (repaired.Left == 1 ? "does." : "do.")
+                           : std::string(", so that it does not.")));
     }
   }
 

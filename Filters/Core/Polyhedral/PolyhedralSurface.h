@@ -25,9 +25,11 @@ namespace recon
  * vertex-manifold by index, not crossing itself. Every contour vertex that is not named in Report
  * is a point of it, to the last bit.
  *
- * Topology is decided exactly in the planes of the levels. Contour vertices that were given beside
- * the plane of their level (slices merged into one, planes that are not perpendicular to an axis)
- * stay where they were given, so sheets that touch in a common plane may cross by that much.
+ * Topology is decided exactly in the planes of the levels. Where the coordinates of space are not those
+ * of the planes (planes that are not perpendicular to an axis, levels shifted onto one another), points
+ * round, and contour vertices stay where they were given, up to a thousandth of a slab beside their
+ * plane. What crosses for that is found by exact predicates in the coordinates that are given out, and
+ * points that are no contour's move until nothing does (CrossingRepair.h), with a line in Report.
  */
 struct PolyhedralSurface
 {

@@ -19,6 +19,7 @@
 #include "Core/Contours/SoupMaker.h"
 #include "Mesh/MeshTopology.h"
 #include "Mesh/SelfIntersections.h"
+#include "Mesh/SheetCrossings.h"
 #include "PolyhedralShapes.h"
 #include "SurfaceInvariants.h"
 
@@ -27,6 +28,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <ctime>
 #include <random>
@@ -164,15 +166,17 @@ inline std::vector<PolyhedralOptions> EveryCombination()
   return all;
 }
 
-/// Crossings and overlaps of a mesh in words; empty where there are none.
+/// Crossings and overlaps of triangles and of sheets in words; empty where there are none.
 inline std::string IntersectionsOf(const TriangleMesh& mesh)
 {
   Monitor monitor;
   SelfIntersectionOptions one;
   one.Threads = 1;
   const SelfIntersections found = FindSelfIntersections(mesh, one, monitor);
+  const int sheets = FindSheetCrossings(mesh).Edges;
   return (found.Crossing > 0 ? std::to_string(found.Crossing) + " crossing " : "") +
-    (found.Overlapping > 0 ? std::to_string(found.Overlapping) + " overlapping " : "");
+    (found.Overlapping > 0 ? std::to_string(found.Overlapping) + " overlapping " : "") +
+    (sheets > 0 ? std::to_string(sheets) + " edges where sheets cross " : "");
 }
 
 /// The promises that a surface breaks but for crossings and overlaps, a word each; empty where it
@@ -209,9 +213,16 @@ inline std::string BrokenPromises(
   return broken.str();
 }
 
+/// What many stacks took.
+struct StackTally
+{
+  int Surfaces = 0;
+  double Slowest = 0; ///< seconds of the processor that one took
+};
+
 /// Every combination of options on one stack; empty where all promises hold. What several of them
 /// make alike is searched for crossings once, as that takes most of the time.
-inline std::string BrokenPromisesOfStack(const SoupMaker& maker)
+inline std::string BrokenPromisesOfStack(const SoupMaker& maker, StackTally& tally)
 {
   ContourSet contours;
   try
@@ -237,6 +248,8 @@ inline std::string BrokenPromisesOfStack(const SoupMaker& maker)
     {
       const PolyhedralSurface surface = BuildSurface(contours, options);
       const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+      ++tally.Surfaces;
+      tally.Slowest = std::max(tally.Slowest, seconds);
       found = seconds > 1 ? "took " + std::to_string(seconds) + " s " : "";
       found += BrokenPromises(surface, contours, options);
       if (searched.emplace(surface.Mesh.Points, surface.Mesh.Triangles).second)
@@ -256,18 +269,31 @@ inline std::string BrokenPromisesOfStack(const SoupMaker& maker)
   return broken.str();
 }
 
+inline std::string BrokenPromisesOfStack(const SoupMaker& maker)
+{
+  StackTally tally;
+  return BrokenPromisesOfStack(maker, tally);
+}
+
 enum class StackFrame
 {
   Upright,
   Tilted
 };
 
-inline void ExpectSoundDegenerateStack(unsigned seed, StackFrame frame = StackFrame::Upright)
+inline void ExpectSoundDegenerateStack(unsigned seed, StackFrame frame, StackTally& tally)
 {
   const SoupMaker maker = DegenerateStack(seed).Maker;
   const bool tilted = frame == StackFrame::Tilted;
-  EXPECT_EQ(BrokenPromisesOfStack(tilted ? Tilted(maker, seed) : maker), "")
-    << "seed " << seed << "; again: CONTOUR_STACK_SEED=" << seed << " ctest -R DegenerateStacks";
+  EXPECT_EQ(BrokenPromisesOfStack(tilted ? Tilted(maker, seed) : maker, tally), "")
+    << "seed " << seed << "; again: CONTOUR_STACK_SEED=" << seed
+    << " ctest -R DegenerateStacks.AFew" << (tilted ? "Tilted" : "Upright");
+}
+
+inline void ExpectSoundDegenerateStack(unsigned seed, StackFrame frame = StackFrame::Upright)
+{
+  StackTally tally;
+  ExpectSoundDegenerateStack(seed, frame, tally);
 }
 
 inline void ExpectSoundDegenerateStacks(
@@ -279,10 +305,14 @@ inline void ExpectSoundDegenerateStacks(
     first = static_cast<unsigned>(std::strtoul(given, &rest, 10));
     last = *rest == '-' ? static_cast<unsigned>(std::strtoul(rest + 1, nullptr, 10)) : first;
   }
+  StackTally tally;
   for (unsigned seed = first; seed <= last; ++seed)
   {
-    ExpectSoundDegenerateStack(seed, frame);
+    ExpectSoundDegenerateStack(seed, frame, tally);
   }
+  std::printf(
+    "[ NOTE     ] stacks %u to %u: %d surfaces, the slowest took %.2f s of the processor\n", first,
+    last, tally.Surfaces, tally.Slowest);
 }
 }
 

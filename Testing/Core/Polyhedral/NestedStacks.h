@@ -36,7 +36,6 @@ public:
   LoopSoup Soup;
   ContourSetOptions Cleaning;
   PolyhedralOptions Options;
-  bool Tilted = false;
 
   explicit NestedStack(unsigned seed) : Random(seed)
   {
@@ -176,8 +175,8 @@ private:
   {
     // Planes that no coordinate axis lies in, or the usual ones; where DICOM coordinates are, or
     // not.
-    this->Tilted = this->Draw(0, 3) == 0;
-    const double angle = this->Tilted ? 0.7 : 0, turn = this->Tilted ? 0.4 : 0;
+    const bool tilted = this->Draw(0, 3) == 0;
+    const double angle = tilted ? 0.7 : 0, turn = tilted ? 0.4 : 0;
     const Point3 u{ std::cos(turn), std::sin(turn) * std::cos(angle),
       std::sin(turn) * std::sin(angle) };
     const Point3 v{ -std::sin(turn), std::cos(turn) * std::cos(angle),
@@ -252,7 +251,7 @@ inline void ExpectSoundNestedStack(unsigned seed)
   stack.DrawOverrides(contours);
   PolyhedralSurface surface;
   ASSERT_NO_THROW(surface = BuildSurface(contours, stack.Options));
-  ExpectKeepsPromisesOrIsEmpty(surface, contours, stack.Tilted);
+  ExpectKeepsPromisesOrIsEmpty(surface, contours);
 }
 
 inline void ExpectSoundNestedStacks(unsigned first, unsigned last)

@@ -155,18 +155,12 @@ inline void ExpectLabels(const PolyhedralSurface& surface, const ContourSet& con
 }
 
 /// Everything that PolyhedralSurface.h promises of a result.
-/// @param rounds in a tilted frame, sheets that touch in a common plane may cross by the rounding
-/// of their points
-inline void ExpectKeepsPromises(
-  const PolyhedralSurface& surface, const ContourSet& contours, bool rounds = false)
+inline void ExpectKeepsPromises(const PolyhedralSurface& surface, const ContourSet& contours)
 {
   ExpectClosed(surface.Mesh);
   ExpectManifold(surface.Mesh);
   ExpectOriented(surface.Mesh);
-  if (!rounds)
-  {
-    ExpectNoSelfIntersections(surface.Mesh);
-  }
+  ExpectNoSelfIntersections(surface.Mesh);
   ExpectLabels(surface, contours);
   const LeftOut leftOut = ContoursLeftOut(surface);
   const ContourSet kept = WithoutContours(contours, leftOut.Wholly);
@@ -187,14 +181,14 @@ inline void ExpectKeepsPromises(
 
 /// The same where all contours may have been left out.
 inline void ExpectKeepsPromisesOrIsEmpty(
-  const PolyhedralSurface& surface, const ContourSet& contours, bool rounds = false)
+  const PolyhedralSurface& surface, const ContourSet& contours)
 {
   if (ContoursLeftOut(surface).Wholly.size() == contours.Contours.size())
   {
     EXPECT_TRUE(surface.Mesh.Triangles.empty());
     return;
   }
-  ExpectKeepsPromises(surface, contours, rounds);
+  ExpectKeepsPromises(surface, contours);
 }
 
 /// For the trace of a failure.

@@ -14,3 +14,12 @@ TEST(DegenerateStacks, AFewTilted)
 {
   ExpectSoundDegenerateStacks(1, 40, StackFrame::Tilted);
 }
+
+// Rounded to the coordinates of space, sheets of these passed through one another.
+TEST(DegenerateStacks, TiltedSheetsThatTouch)
+{
+  for (const unsigned seed : { 203304u, 205920u, 206578u, 206844u })
+  {
+    ExpectSoundDegenerateStack(seed, StackFrame::Tilted);
+  }
+}
