@@ -326,8 +326,9 @@ TEST(IterativeSolver, WeightsThatCancelBeyondTheFastSumsGetExactOnesInTime)
   EXPECT_FALSE(Says(function, "stopped after"));
   EXPECT_LE(function.Residual, 1.05e-5);
   EXPECT_LE(LargestMisfit(function, sample), 1.05e-5);
-  // Where the residual drifts until the end, another descent makes it more.
-  EXPECT_LE(function.Iterations, 62);
+  // Where the residual drifts until the end, another descent makes it more. (44 to 78 by processor,
+  // compiler and version of Eigen, as last bits differ.)
+  EXPECT_LE(function.Iterations, 100);
 }
 
 TEST(IterativeSolver, AMisfitThatCannotBeReachedEndsWithASentence)
