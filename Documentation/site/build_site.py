@@ -31,7 +31,7 @@ LISTS = (("Use it", ["README", "Documentation/installation", "Documentation/pack
                      "Documentation/fair-surface", "Documentation/formats", "Documentation/command-line", "Documentation/python",
                      "Documentation/structure-sets", "Documentation/examples", "Documentation/gallery",
                      "Documentation/nodes", "Documentation/nodes/index"]),
-         ("What it is worth", ["Data/TRUTH", "Data/TRUTH_IMPLICIT", "Data/TRUTH_FAIR", "Data/CERTIFICATES", "Data/PLANES",
+         ("What it is worth", ["Data/TRUTH", "Data/TRUTH_IMPLICIT", "Data/TRUTH_FAIR", "Data/CERTIFICATES", "Data/PLANES", "Data/VOLUMES",
                                "Documentation/comparison", "Documentation/performance"]),
          ("How it works", ["Documentation/architecture", "Documentation/glossary", "Documentation/references",
                            "Documentation/library", "Data/CONSTANTS", "Data/README", "CONTRIBUTING", "CHANGELOG"]))

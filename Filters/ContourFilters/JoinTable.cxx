@@ -137,8 +137,7 @@ void WriteMapping(const ContourMapping& mapping, vtkDataObject* output)
   AddArray(output->GetFieldData(), "JoinJoined", joined);
 }
 
-std::string ReadMapping(
-  vtkPolyData* input, const ContourSet& contours, ContourMappingOptions& options)
+std::optional<CarriedMapping> CarriedMappingOf(vtkPolyData* input)
 {
   vtkFieldData* data = input->GetFieldData();
   vtkDataArray* lower = data->GetArray("JoinLower");
@@ -146,10 +145,16 @@ std::string ReadMapping(
   vtkDataArray* joined = data->GetArray("JoinJoined");
   if (!lower || !upper || !joined)
   {
-    return {};
+    return std::nullopt;
   }
-  return FollowMapping({ NumbersOf(lower), NumbersOf(upper), NumbersOf(joined),
-                         NumbersOf(input->GetCellData()->GetArray("ContourId")) },
-    contours, options);
+  return CarriedMapping{ NumbersOf(lower), NumbersOf(upper), NumbersOf(joined),
+    NumbersOf(input->GetCellData()->GetArray("ContourId")) };
+}
+
+std::string ReadMapping(
+  vtkPolyData* input, const ContourSet& contours, ContourMappingOptions& options)
+{
+  const std::optional<CarriedMapping> carried = CarriedMappingOf(input);
+  return carried ? FollowMapping(*carried, contours, options) : std::string();
 }
 }

@@ -7,8 +7,10 @@
 #define JoinTable_h
 
 #include "ContourFiltersModule.h" // for export macro
+#include "Contours/CarriedMapping.h"
 #include "Contours/ContourMapping.h"
 
+#include <optional>
 #include <string>
 
 class vtkDataObject;
@@ -42,6 +44,10 @@ CONTOURFILTERS_EXPORT void WriteJoins(const ContourMapping& mapping, vtkTable* t
  * forgotten by what comes next: `JoinLower`, `JoinUpper` (ContourId) and `JoinJoined` (0 or 1).
  */
 CONTOURFILTERS_EXPORT void WriteMapping(const ContourMapping& mapping, vtkDataObject* output);
+
+/// What WriteMapping wrote; nothing where no mapping came with the contours.
+[[nodiscard]] CONTOURFILTERS_EXPORT std::optional<CarriedMapping> CarriedMappingOf(
+  vtkPolyData* input);
 
 /**
  * Appends what WriteMapping wrote on the input to the forced and forbidden joins, but for pairs

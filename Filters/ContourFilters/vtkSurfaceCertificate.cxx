@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkSurfaceCertificate.h"
 
+#include "Base/SubMonitor.h"
 #include "ContourConversion.h"
 #include "FieldArrays.h"
+#include "JoinTable.h"
 #include "Mesh/CertificateText.h"
 #include "Mesh/MeshDefects.h"
 #include "RunCore.h"
@@ -37,6 +39,8 @@ vtkStandardNewMacro(vtkSurfaceCertificate);
 
 namespace
 {
+constexpr double JudgingShare = 0.8; ///< of the time, beside the volume by the contours
+
 /// One surface of the input and what was found out about it.
 struct Block
 {
@@ -101,6 +105,13 @@ std::optional<recon::ContourSet> BuildContours(vtkPolyData* contours, std::size_
   return set;
 }
 
+std::optional<recon::VolumeInterval> VolumeOf(
+  vtkPolyData* contours, const recon::ContourSet& asRead, recon::Monitor& monitor)
+{
+  return recon::EstimateVolume(
+    recon::ToLoopSoup(contours).Soup, asRead, recon::CarriedMappingOf(contours), monitor);
+}
+
 /// A figure without meaning: NaN, or -1 for a count.
 double ValueOf(const recon::CertificateFigure& figure)
 {
@@ -160,6 +171,19 @@ void AddSections(const Block& block)
   AddSectionArray(block, "SectionPercent", [](const SectionDifference& s) { return s.Percent; });
 }
 
+void AddDoubts(const Block& block)
+{
+  std::vector<double> offsets;
+  std::vector<double> widths;
+  for (const recon::VolumeDoubt& doubt : block.Certificate.Drawn->Doubts)
+  {
+    offsets.push_back(doubt.Offset);
+    widths.push_back(doubt.Width);
+  }
+  recon::AddArray(block.Surface->GetFieldData(), "DoubtOffset", offsets);
+  recon::AddArray(block.Surface->GetFieldData(), "DoubtWidth", widths);
+}
+
 void WriteOn(const Block& block)
 {
   const recon::SurfaceCertificate& certificate = block.Certificate;
@@ -176,6 +200,10 @@ void WriteOn(const Block& block)
   {
     AddFigures(block.Surface, recon::ListContourFigures(certificate));
     AddSections(block);
+  }
+  if (certificate.Drawn)
+  {
+    AddDoubts(block);
   }
   auto lines = recon::ToShortText(certificate);
   if (block.RepairedContours > 0)
@@ -200,7 +228,13 @@ Block CertifyBlock(const recon::NamedPolyData& input, vtkPolyData* contours,
   }
   const auto set = BuildContours(contours, block.RepairedContours);
   options.CoordinateRounding = RoundingOf(input.Data);
-  block.Certificate = recon::Certify(mesh, set ? &*set : nullptr, options, monitor);
+  recon::SubMonitor judging(monitor, 0, JudgingShare);
+  block.Certificate = recon::Certify(mesh, set ? &*set : nullptr, options, judging);
+  if (set)
+  {
+    recon::SubMonitor estimating(monitor, JudgingShare, 1);
+    block.Certificate.Drawn = VolumeOf(contours, *set, estimating);
+  }
   WriteOn(block);
   return block;
 }

@@ -32,7 +32,10 @@
  * of a count -1;
  * - with contours, field data `ContourVertices`, `FarthestContourVertex`, `MeanContourVertex`,
  *   `FarthestContourEdge`, `MeanContourEdge`, `FarthestContourX`, `FarthestContourY`,
- *   `FarthestContourZ`, `WorstSectionPercent`, `TotalSectionPercent`, and an entry a level
+ *   `FarthestContourZ`, `WorstSectionPercent`, `TotalSectionPercent`, and what parallel contours
+ *   say about the volume, whatever the surface is (Contours/VolumeInterval.h): `VolumeByContours`,
+ *   `LowestVolume`, `HighestVolume`, an entry a place where a slice would tell more, the widest
+ *   first, `DoubtOffset` and `DoubtWidth`, and an entry a level
  *   `SectionOffset`, `SectionContourArea`, `SectionSurfaceArea`, `SectionDifference`,
  *   `SectionPercent` (NaN where the surface is open in that plane);
  * - field data `Certificate` (strings, a few lines for people) and `CertificateJSON` (one string,

@@ -172,10 +172,13 @@ def figures(result):
     known = {"Name": result.name, "Contours": contour_count(result), "Triangles": result.triangles,
              "Seconds": round(sum(s for _, s in result.seconds), 3), "Notes": result.report}
     c = result.certificate
+    told = ("VolumeByContours", "LowestVolume", "HighestVolume")
     if c is None:
-        return {**known, "Closed": None, "Manifold": None, "CrossingPairs": None, "Volume": None, "Area": None}
+        return {**known, "Closed": None, "Manifold": None, "CrossingPairs": None, "Volume": None, "Area": None,
+                **dict.fromkeys(told)}
     return {**known, "Closed": bool(c["Closed"]), "Manifold": bool(c["EdgeManifold"] and c["VertexManifold"] and c["Oriented"]),
-            "CrossingPairs": int(c["CrossingPairs"]), "Volume": _finite(c["Volume"]), "Area": _finite(c["Area"])}
+            "CrossingPairs": int(c["CrossingPairs"]), "Volume": _finite(c["Volume"]), "Area": _finite(c["Area"]),
+            **{name: _finite(c.get(name)) for name in told}}
 
 
 def _finite(value):

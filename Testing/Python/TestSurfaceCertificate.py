@@ -10,7 +10,7 @@ simple = ct.load_plugin()
 from vtkmodules.vtkCommonCore import VTK_FLOAT, vtkIntArray
 from vtkmodules.vtkCommonDataModel import (
     vtkCompositeDataSet, vtkPartitionedDataSetCollection, vtkPolyData)
-from vtkmodules.vtkFiltersCore import vtkStripper
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkStripper
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 
 
@@ -50,6 +50,23 @@ def cell(table, row, column):
 
 CUBE = box_corners((0, 0, 0), (1, 1, 1))
 
+# Contours on some levels tell a volume, a least and a most of their own; on one they do not.
+slices = vtkAppendPolyData()
+for height in (0.125, 0.375, 0.625, 0.875):
+    slices.AddInputData(square_contour(height))
+slices.Update()
+out, table, proxy = certify(surface(CUBE, box_triangles()), slices.GetOutput())
+ct.check([figure(out, name) for name in ("VolumeByContours", "LowestVolume", "HighestVolume")] == [1, 0.75, 1.25],
+         "unit squares a quarter apart are of a cube, if it ends half way to the next ones")
+ct.check([out.GetFieldData().GetArray("DoubtOffset").GetTuple1(i) for i in (0, 1)] == [0, 1] and
+         out.GetFieldData().GetArray("DoubtWidth").GetTuple1(0) == 0.25, "the ends are what is open")
+ct.check(json.loads(lines(out, "CertificateJSON")[0])["Doubts"][0] == {"Offset": 0, "Width": 0.25}, "also in JSON")
+ct.check("Volume by the contours: 1 (0.75 to 1.25); another slice would tell most at 0 (50%) along the stack." in
+         lines(out, "Certificate"), "and in words")
+reading = ct.data(proxy, 1)
+ct.check([reading.GetValue(row, 1).ToString() for row in range(reading.GetNumberOfRows())
+          if reading.GetValue(row, 0).ToString() == "Volume by the contours"] == ["1 (0.75 to 1.25)"], "and in the table")
+
 # A cube of triangles, with the contour it has at half its height.
 out, table, proxy = certify(surface(CUBE, box_triangles()), square_contour(0.5))
 for name, value in {"Sound": 1, "Closed": 1, "EdgeManifold": 1, "VertexManifold": 1, "Oriented": 1, "Outward": 1,
@@ -60,6 +77,7 @@ for name, value in {"Sound": 1, "Closed": 1, "EdgeManifold": 1, "VertexManifold"
     got = figure(out, name)
     ct.check(got is not None and abs(got - value) < 1e-12, f"{name} of the cube is {value}, not {got}")
 ct.check(cells(out, "Defect") == [0] * 12 and cells(out, "ComponentId") == [0] * 12, "no defect anywhere")
+ct.check(math.isnan(figure(out, "VolumeByContours")), "one level tells no volume")
 ct.check(lines(out, "Certificate")[0].startswith("Sound:"), "the first line is the verdict")
 document = json.loads(lines(out, "CertificateJSON")[0])
 ct.check(document["Total"]["Volume"] == 1 and document["Sections"][0]["Percent"] == 0, "the JSON holds it too")

@@ -11,6 +11,7 @@
 
 #include "Base/Monitor.h"
 #include "Contours/ContourSet.h"
+#include "Contours/VolumeInterval.h"
 #include "Mesh/MassProperties.h"
 #include "Mesh/MeshTopology.h"
 #include "Mesh/SectionComparison.h"
@@ -54,6 +55,9 @@ struct SurfaceCertificate
 
   std::vector<SectionDifference> Sections; ///< a level; empty without contours
   std::optional<ContourDistance> Distance; ///< empty without contours or without a surface
+  /// What the contours say, whatever the surface is; not by Certify, which takes contours in any
+  /// planes. Empty without contours on two parallel planes or more.
+  std::optional<VolumeInterval> Drawn;
   /// The largest difference of a level in percent; empty without contours, or where the surface is
   /// open at a level.
   std::optional<double> WorstSectionPercent() const;

@@ -101,6 +101,14 @@ std::string ToJsonArray(const Range& range, const ToText& toText)
   return text + (text.size() > 1 ? "\n ]" : "]");
 }
 
+Figures ListDoubt(const VolumeDoubt& doubt)
+{
+  Figures figures;
+  AddReal(figures, "Offset", doubt.Offset);
+  AddReal(figures, "Width", doubt.Width);
+  return figures;
+}
+
 Figures ListSection(const SectionDifference& section)
 {
   Figures figures;
@@ -202,9 +210,31 @@ std::optional<double> Divided(const std::optional<double>& value, double by)
   return value ? std::optional<double>(*value / by) : std::nullopt;
 }
 
-void AddContourLines(const SurfaceCertificate& certificate, const std::string& unit,
-  std::vector<CertificateLine>& lines)
+/// "12.3 (11.9 to 12.8)"
+std::string IntervalText(const VolumeInterval& volume, double unit)
 {
+  return Round(volume.Estimate / unit, ReadDigits) + " (" +
+    Round(volume.Lowest / unit, ReadDigits) + " to " + Round(volume.Highest / unit, ReadDigits) +
+    ")";
+}
+
+/// Where another slice would tell most about the volume, and how much of what is open: "12.5 (40%)".
+std::string DoubtText(const VolumeInterval& volume)
+{
+  const double width = volume.Highest - volume.Lowest;
+  const VolumeDoubt& most = volume.Doubts.front();
+  return Round(most.Offset, ReadDigits) +
+    (width > 0 ? " (" + Round(100 * most.Width / width, 2) + "%)" : "");
+}
+
+void AddContourLines(
+  const SurfaceCertificate& certificate, bool millimetres, std::vector<CertificateLine>& lines)
+{
+  const std::string unit = millimetres ? ", mm" : "";
+  const auto& drawn = certificate.Drawn;
+  lines.push_back({ millimetres ? "Volume by the contours, cm3" : "Volume by the contours",
+    drawn ? IntervalText(*drawn, millimetres ? CubicMillimetres : 1) : "-" });
+  lines.push_back({ "Slice that would tell most, at" + unit, drawn ? DoubtText(*drawn) : "-" });
   const auto& distance = certificate.Distance;
   const auto of = [&](double ContourDistance::*figure)
   { return distance ? std::optional<double>((*distance).*figure) : std::nullopt; };
@@ -280,6 +310,12 @@ std::vector<CertificateFigure> ListContourFigures(const SurfaceCertificate& cert
     distance ? std::optional<Point3>(distance->FarthestAt) : std::nullopt);
   AddReal(figures, "WorstSectionPercent", certificate.WorstSectionPercent());
   AddReal(figures, "TotalSectionPercent", certificate.TotalSectionPercent());
+  const auto& drawn = certificate.Drawn;
+  const auto volume = [&](double VolumeInterval::*figure)
+  { return drawn ? std::optional<double>((*drawn).*figure) : std::nullopt; };
+  AddReal(figures, "VolumeByContours", volume(&VolumeInterval::Estimate));
+  AddReal(figures, "LowestVolume", volume(&VolumeInterval::Lowest));
+  AddReal(figures, "HighestVolume", volume(&VolumeInterval::Highest));
   return figures;
 }
 
@@ -308,7 +344,7 @@ std::vector<CertificateLine> ListLines(
   };
   if (withContours)
   {
-    AddContourLines(certificate, millimetres ? ", mm" : "", lines);
+    AddContourLines(certificate, millimetres, lines);
   }
   return lines;
 }
@@ -345,6 +381,9 @@ std::string ToJson(const SurfaceCertificate& certificate)
   text += ",\n \"Sections\": " +
     ToJsonArray(certificate.Sections,
       [](const SectionDifference& s) { return ToJsonObject(ListSection(s)); });
+  text += ",\n \"Doubts\": " +
+    ToJsonArray(certificate.Drawn ? certificate.Drawn->Doubts : std::vector<VolumeDoubt>(),
+      [](const VolumeDoubt& doubt) { return ToJsonObject(ListDoubt(doubt)); });
   return text + "\n}\n";
 }
 
@@ -363,6 +402,11 @@ std::vector<std::string> ToShortText(const SurfaceCertificate& certificate)
   if (!certificate.Sections.empty())
   {
     lines.push_back(DescribeContours(certificate));
+  }
+  if (certificate.Drawn)
+  {
+    lines.push_back("Volume by the contours: " + IntervalText(*certificate.Drawn, 1) +
+      "; another slice would tell most at " + DoubtText(*certificate.Drawn) + " along the stack.");
   }
   return lines;
 }

@@ -59,8 +59,8 @@ std::string ToVerdict(const SurfaceCertificate& certificate, bool millimetres);
  * Everything but what is said a triangle, as one JSON object.
  *
  * { "Total": {figures}, "Components": [{figures}], "Welded": {topology}, "Contours": {figures},
- * "Sections": [a level] }; a figure that has no meaning is null. Numbers read back to the same
- * bits.
+ * "Sections": [a level], "Doubts": [a VolumeDoubt] }; a figure that has no meaning is null. Numbers
+ * read back to the same bits.
  */
 std::string ToJson(const SurfaceCertificate& certificate);
 

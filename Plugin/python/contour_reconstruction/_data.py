@@ -194,9 +194,13 @@ class Certificate:
     components : list of dict
         The same of each connected component.
     contour_figures : dict
-        How the contours fare; all None without contours.
+        How the contours fare, and the volume that they tell (``VolumeByContours``, between ``LowestVolume`` and
+        ``HighestVolume``; of parallel ones); all None without contours.
     sections : dict of str to ndarray
         A value a level of the contours.
+    doubts : dict of str to ndarray
+        Where along the stack another slice would tell more about the volume (``DoubtOffset``, in the unit of the data), and
+        how much of ``HighestVolume`` less ``LowestVolume`` of `contour_figures` comes from there (``DoubtWidth``), the most first.
     defect, component_id : ndarray of int
         A value a triangle: bits of what is wrong (1 open edge, 2 edge with more than two faces, 4 orientation, 8
         pinched vertex, 16 duplicate, 32 degenerate, 64 crossing, 128 overlap, 256 inside out, 512 touching), and the
@@ -214,6 +218,7 @@ class Certificate:
     components: list[dict[str, Any]]
     contour_figures: dict[str, Any]
     sections: dict[str, Array]
+    doubts: dict[str, Array]
     defect: Array
     component_id: Array
     text: list[str]

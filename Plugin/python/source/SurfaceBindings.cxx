@@ -353,6 +353,15 @@ nb::dict FromSections(const std::vector<SectionDifference>& sections)
   return result;
 }
 
+nb::dict FromDoubts(const std::optional<VolumeInterval>& volume)
+{
+  const std::vector<VolumeDoubt> doubts = volume ? volume->Doubts : std::vector<VolumeDoubt>();
+  nb::dict result;
+  result["DoubtOffset"] = ArrayOf(doubts, [](const VolumeDoubt& d) { return d.Offset; });
+  result["DoubtWidth"] = ArrayOf(doubts, [](const VolumeDoubt& d) { return d.Width; });
+  return result;
+}
+
 nb::dict FromCertificate(SurfaceCertificate certificate)
 {
   nb::dict result;
@@ -366,6 +375,7 @@ nb::dict FromCertificate(SurfaceCertificate certificate)
   result["contour_figures"] = FromFigures(ListContourFigures(certificate));
   result["components"] = components;
   result["sections"] = FromSections(certificate.Sections);
+  result["doubts"] = FromDoubts(certificate.Drawn);
   result["text"] = ToList(ToShortText(certificate));
   result["json"] = ToJson(certificate);
   result["defect"] = ToNumpy(std::move(certificate.DefectOfTriangle));
@@ -380,6 +390,8 @@ nb::dict Certificate(const GivenPoints& points, const GivenTriangles& triangles,
   const std::optional<LoopSoup> soup = contours.is_none()
     ? std::nullopt
     : std::optional<LoopSoup>(SoupOf(nb::borrow<nb::dict>(contours)));
+  const std::optional<CarriedMapping> carried =
+    soup ? CarriedMappingOf(nb::borrow<nb::dict>(contours)) : std::nullopt;
   CertificateOptions options;
   options.Weld = ValueOf<bool>(properties, "Weld");
   options.Threads = ValueOf<int>(properties, "Threads");
@@ -392,7 +404,9 @@ nb::dict Certificate(const GivenPoints& points, const GivenTriangles& triangles,
       reading.Parallel = false;
       Monitor quiet; // reading the contours takes no time worth a progress bar
       set = soup ? BuildContourSet(*soup, reading, quiet) : ContourSet();
-      return Certify(mesh, soup ? &set : nullptr, options, monitor);
+      SurfaceCertificate made = Certify(mesh, soup ? &set : nullptr, options, monitor);
+      made.Drawn = soup ? EstimateVolume(*soup, set, carried, quiet) : std::nullopt;
+      return made;
     }));
   AddReport(set.Report, {}, set.Warning, result);
   return result;
