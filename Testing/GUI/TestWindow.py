@@ -77,7 +77,7 @@ if "2" in sys.argv[1:] or len(sys.argv) == 1:
     JOINS = gui.PANEL + "/ForbiddenJoins/ScalarValueList/"
     gui.play("window 2", [
         *OPEN, (ROIS, "setCheckState", "0.0,0"), (ROIS, "setCheckState", "1.0,0"), gui.APPLY,
-        gui.apply_filter("ContourMapping")[0],
+        gui.apply_stage("ContourMapping")[0],
         ("propertiesDock/propertiesPanel/SearchBox/AdvancedButton", "set_boolean", "true"),
         (JOINS + "Add", "activate", ""),
         # Contours 0 and 1, the two lowest ones of each region.

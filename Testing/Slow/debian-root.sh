@@ -21,7 +21,7 @@ in_root() { chroot "$root" /usr/bin/env -i HOME=/root PATH=/usr/sbin:/usr/bin:/s
 
 leave()
 {
-  for place in proc sys dev/shm; do
+  for place in proc sys dev/shm dev/pts; do
     # Never remove anything below a place that is still mounted.
     ! mountpoint -q "$root/$place" || umount "$root/$place" || return 0
   done
@@ -50,6 +50,10 @@ make_root()
   mount -t sysfs -o ro sysfs "$root/sys"
   mkdir -p "$root/dev/shm"
   mount -t tmpfs tmpfs "$root/dev/shm"
+  # Terminals of its own, which a test of the command line opens.
+  mkdir -p "$root/dev/pts"
+  mount -t devpts -o newinstance,ptmxmode=0666 devpts "$root/dev/pts"
+  ln -sf pts/ptmx "$root/dev/ptmx"
   [[ -f /etc/resolv.conf ]] && cp -L /etc/resolv.conf "$root/etc/resolv.conf"
   # The host's way to the mirror, but nothing else of its settings.
   apt-config dump | grep -iE '^Acquire::(.*proxy|Check-)' >"$root/etc/apt/apt.conf.d/90proxy" || true
