@@ -22,8 +22,8 @@ int ExactOrientation3(const Point3& a, const Point3& b, const Point3& c, const P
 int ExactOrientation2(const Point2& a, const Point2& b, const Point2& c);
 bool ExactCollinear(const Point3& a, const Point3& b, const Point3& c);
 
-/// Sign of ((b - a) x (c - a)) . (d - a): +1 where d is on the side that sees abc counterclockwise.
-inline int Orientation3(const Point3& a, const Point3& b, const Point3& c, const Point3& d)
+/// Sign of ((b - a) x (c - a)) . (d - a), or 0 where the filter does not settle it.
+inline int FilteredOrientation3(const Point3& a, const Point3& b, const Point3& c, const Point3& d)
 {
   const Vector3 u = b - a;
   const Vector3 v = c - a;
@@ -41,7 +41,14 @@ inline int Orientation3(const Point3& a, const Point3& b, const Point3& c, const
   {
     return det > 0 ? 1 : -1;
   }
-  return ExactOrientation3(a, b, c, d);
+  return 0;
+}
+
+/// Sign of ((b - a) x (c - a)) . (d - a): +1 where d is on the side that sees abc counterclockwise.
+inline int Orientation3(const Point3& a, const Point3& b, const Point3& c, const Point3& d)
+{
+  const int filtered = FilteredOrientation3(a, b, c, d);
+  return filtered != 0 ? filtered : ExactOrientation3(a, b, c, d);
 }
 
 /// Sign of the area of abc: +1 where it runs counterclockwise.

@@ -6,6 +6,7 @@
 #include "Mesh/MeshTopology.h"
 #include "Mesh/TrianglePair.h"
 #include "Mesh/TriangleTree.h"
+#include "Mesh/VertexStars.h"
 
 #include <algorithm>
 #include <map>
@@ -15,8 +16,11 @@ namespace recon
 {
 namespace
 {
+constexpr const char* Stage = "looking for self-intersections";
 /// Leaves of the tree that one piece of parallel work looks at.
 constexpr int LeavesAPiece = 256;
+/// Triangles that one piece looks at where not all are asked for.
+constexpr std::size_t TrianglesAPiece = 1024;
 
 /// What one piece of work found; pieces are put together in order.
 struct Piece
@@ -39,6 +43,15 @@ int DefectOf(IntersectingPair::KindType kind)
       break;
   }
   return DefectTouching;
+}
+
+/// Whether triangles share a point around which all is well.
+bool ShareAFlatStar(const TriangleMesh& mesh, int s, int t, const std::vector<char>& flat)
+{
+  const auto& one = mesh.Triangles[s];
+  const auto& other = mesh.Triangles[t];
+  return std::any_of(one.begin(), one.end(),
+    [&](int v) { return flat[v] && (v == other[0] || v == other[1] || v == other[2]); });
 }
 
 void Examine(
@@ -78,6 +91,67 @@ void Shrink(std::vector<std::pair<int, int>>& marks)
   marks.erase(std::unique(marks.begin(), marks.end()), marks.end());
 }
 
+template <typename Examiner>
+std::vector<Piece> PiecesOfAll(const TriangleTree& tree, const SelfIntersectionOptions& options,
+  const Examiner& examine, Monitor& monitor)
+{
+  const int count = (tree.GetNumberOfLeaves() + LeavesAPiece - 1) / LeavesAPiece;
+  std::vector<Piece> pieces(count);
+  const auto work = [&](int p)
+  {
+    const int end = std::min(tree.GetNumberOfLeaves(), (p + 1) * LeavesAPiece);
+    for (int leaf = p * LeavesAPiece; leaf < end; ++leaf)
+    {
+      tree.VisitPairsOfLeaf(leaf, [&](int s, int t) { examine(s, t, pieces[p]); });
+      Shrink(pieces[p].Marks);
+    }
+  };
+  ParallelFor(count, options.Threads, work, monitor, { 0.1, 1, Stage });
+  return pieces;
+}
+
+template <typename Examiner>
+std::vector<Piece> PiecesOfSome(const TriangleMesh& mesh, const TriangleTree& tree,
+  const SelfIntersectionOptions& options, const Examiner& examine, Monitor& monitor)
+{
+  const std::vector<char>& of = *options.Of;
+  std::vector<int> chosen;
+  for (int t = 0; t < static_cast<int>(of.size()); ++t)
+  {
+    if (of[t])
+    {
+      chosen.push_back(t);
+    }
+  }
+  std::vector<Piece> pieces((chosen.size() + TrianglesAPiece - 1) / TrianglesAPiece);
+  const auto work = [&](std::size_t from, std::size_t to)
+  {
+    Piece& piece = pieces[from / TrianglesAPiece];
+    for (std::size_t i = from; i < to; ++i)
+    {
+      const int s = chosen[i];
+      Box3 box;
+      for (const int v : mesh.Triangles[s])
+      {
+        box.Add(mesh.Points[v]);
+      }
+      tree.VisitMeeting(box,
+        [&](int t)
+        {
+          // Of two that are both asked for the pair comes up twice.
+          if (t != s && !(of[t] && t < s))
+          {
+            examine(s, t, piece);
+          }
+        });
+      Shrink(piece.Marks);
+    }
+  };
+  ParallelForBlocks(
+    chosen.size(), TrianglesAPiece, options.Threads, work, monitor, { 0.1, 1, Stage });
+  return pieces;
+}
+
 SelfIntersections Gather(const std::vector<Piece>& pieces, std::size_t triangles)
 {
   SelfIntersections result;
@@ -114,22 +188,19 @@ SelfIntersections Gather(const std::vector<Piece>& pieces, std::size_t triangles
 SelfIntersections FindSelfIntersections(
   const TriangleMesh& mesh, const SelfIntersectionOptions& options, Monitor& monitor)
 {
-  constexpr const char* stage = "looking for self-intersections";
   RequireUsable(mesh);
-  monitor.Update(0, stage);
+  monitor.Update(0, Stage);
   const TriangleTree tree(mesh);
-  const int count = (tree.GetNumberOfLeaves() + LeavesAPiece - 1) / LeavesAPiece;
-  std::vector<Piece> pieces(count);
-  const auto work = [&](int p)
+  const std::vector<char> flat = FindFlatStars(mesh, options.Threads, monitor);
+  const auto examine = [&](int s, int t, Piece& piece)
   {
-    const int end = std::min(tree.GetNumberOfLeaves(), (p + 1) * LeavesAPiece);
-    for (int leaf = p * LeavesAPiece; leaf < end; ++leaf)
+    if (!ShareAFlatStar(mesh, s, t, flat))
     {
-      tree.VisitPairsOfLeaf(leaf, [&](int s, int t) { Examine(mesh, s, t, options, pieces[p]); });
-      Shrink(pieces[p].Marks);
+      Examine(mesh, s, t, options, piece);
     }
   };
-  ParallelFor(count, options.Threads, work, monitor, { 0.1, 1, stage });
+  const std::vector<Piece> pieces = options.Of ? PiecesOfSome(mesh, tree, options, examine, monitor)
+                                               : PiecesOfAll(tree, options, examine, monitor);
   return Gather(pieces, mesh.Triangles.size());
 }
 

@@ -71,6 +71,8 @@ struct SelfIntersectionOptions
   std::int64_t MaximumPairsAPiece = 100000;
   /// What MeshTopology::ComponentOfTriangle holds, where counts by component are wanted.
   const std::vector<int>* ComponentOfTriangle = nullptr;
+  /// A triangle: whether pairs with it are looked at; where given, pairs of two others are passed over.
+  const std::vector<char>* Of = nullptr;
 };
 
 /**

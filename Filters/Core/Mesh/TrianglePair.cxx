@@ -43,6 +43,20 @@ Signs SidesOf(const Corners& plane, const Corners& corners)
   return signs;
 }
 
+/// The same as far as the filter settles it. @returns whether that is all
+bool FilterSides(const Corners& plane, const Corners& corners, Signs& signs)
+{
+  bool settled = true;
+  for (int k = 0; k < 3; ++k)
+  {
+    const Point3& p = *corners[k];
+    const bool common = p == *plane[0] || p == *plane[1] || p == *plane[2];
+    signs[k] = common ? 0 : FilteredOrientation3(*plane[0], *plane[1], *plane[2], p);
+    settled = settled && (common || signs[k] != 0);
+  }
+  return settled;
+}
+
 bool AllOnOneSide(const Signs& signs)
 {
   return signs[0] != 0 && signs[0] == signs[1] && signs[1] == signs[2];
@@ -124,10 +138,12 @@ PairRelation RelateAcrossPlanes(
   return a.Straddles() && b.Straddles() ? PairRelation::Crossing : PairRelation::Touching;
 }
 
-/// The projection along the first axis that leaves the triangle an area, counterclockwise.
 class Projection
 {
 public:
+  explicit Projection(int axis) : Axis(axis) {}
+
+  /// Along the first axis that leaves the triangle an area, counterclockwise.
   explicit Projection(const Corners& c)
   {
     for (this->Axis = 0; this->Axis < 2; ++this->Axis)
@@ -145,8 +161,40 @@ public:
   }
 
 private:
-  int Axis = 0;
+  int Axis;
 };
+
+/// Whether in the projection a line along a side of one triangle has it on the one side and the other
+/// triangle strictly on the other, apart from corners that are both's (by index).
+bool AreParted(const Corners& one, const Corners& other, const Projection& project)
+{
+  for (int k = 0; k < 3; ++k)
+  {
+    const Point3* from = one[k];
+    const Point3* to = one[(k + 1) % 3];
+    const int own = Orientation2(project(*from), project(*to), project(*one[(k + 2) % 3]));
+    const auto isBeyond = [&](const Point3* p) {
+      return p == from || p == to ||
+        Orientation2(project(*from), project(*to), project(*p)) == -own;
+    };
+    if (own != 0 && std::all_of(other.begin(), other.end(), isBeyond))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Whether their shadows show that they meet in no more than what they share by index: what lies nearly
+/// in one plane is told by them at once. Which axis they are cast along is a matter of speed only.
+bool AreApartInShadow(const Corners& s, const Corners& t)
+{
+  const Vector3 normal = Cross(*s[1] - *s[0], *s[2] - *s[0]);
+  int axis = std::abs(normal[1]) > std::abs(normal[0]) ? 1 : 0;
+  axis = std::abs(normal[2]) > std::abs(normal[axis]) ? 2 : axis;
+  const Projection project(axis);
+  return AreParted(s, t, project) || AreParted(t, s, project);
+}
 
 using Flat = std::array<Point2, 3>;
 
@@ -306,7 +354,15 @@ PairRelation RelateTriangles(const TriangleMesh& mesh, int s, int t)
   {
     return PairRelation::Clean;
   }
-  const Signs sidesOfT = SidesOf(a, b);
+  Signs sidesOfT{};
+  if (!FilterSides(a, b, sidesOfT))
+  {
+    if (AreApartInShadow(a, b))
+    {
+      return PairRelation::Clean;
+    }
+    sidesOfT = SidesOf(a, b);
+  }
   if (AllOnOneSide(sidesOfT))
   {
     return PairRelation::Clean;

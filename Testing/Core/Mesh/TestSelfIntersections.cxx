@@ -387,6 +387,35 @@ TEST(SelfIntersections, CountsBeyondThePairsItKeeps)
   EXPECT_LT(few.Pairs.size(), all.Pairs.size());
 }
 
+TEST(SelfIntersections, OfSomeTrianglesOnlyTheirPairs)
+{
+  TriangleMesh mesh = MakeRandomSoup(100, 500, 20, 7, false);
+  Append(mesh, MakeTorus(1, 0.3));
+  const SelfIntersections all = Find(mesh);
+  std::vector<char> of(mesh.Triangles.size(), 0);
+  for (std::size_t t = 0; t < of.size(); t += 3)
+  {
+    of[t] = 1;
+  }
+  Monitor monitor;
+  SelfIntersectionOptions options;
+  options.Of = &of;
+  const SelfIntersections some = FindSelfIntersections(mesh, options, monitor);
+  std::size_t next = 0;
+  for (const IntersectingPair& pair : all.Pairs)
+  {
+    if (of[pair.First] || of[pair.Second])
+    {
+      ASSERT_LT(next, some.Pairs.size());
+      EXPECT_EQ(some.Pairs[next].First, pair.First);
+      EXPECT_EQ(some.Pairs[next].Second, pair.Second);
+      EXPECT_EQ(some.Pairs[next++].Kind, pair.Kind);
+    }
+  }
+  EXPECT_EQ(next, some.Pairs.size());
+  EXPECT_LT(next, all.Pairs.size());
+}
+
 TEST(SelfIntersections, CanBeAborted)
 {
   struct : Monitor
