@@ -14,7 +14,7 @@ namespace recon
 {
 namespace
 {
-constexpr int Rounds = 3; ///< of splits, collapses and flips
+constexpr int Rounds = 2; ///< of splits, collapses and flips
 /// Where sheets are nearer than so many edge lengths, changes are looked at.
 constexpr double ThinPlace = 0.7;
 /// Where triangles cross all the same, it is begun again with changes looked at so many edge lengths

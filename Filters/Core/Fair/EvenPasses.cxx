@@ -42,6 +42,7 @@ EvenPasses::EvenPasses(const TriangleMesh& mesh, const std::vector<char>& parts,
   : Mesh(mesh, parts),
     Normals(PointNormals(mesh)),
     Thin(mesh.Points.size(), 0),
+    Home(mesh.Points.size(), -1),
     Surface(surface),
     EdgeLength(edgeLength),
     Threads(threads),
@@ -68,7 +69,7 @@ double EvenPasses::AgreementWanted(const std::vector<int>& before, double cosine
   for (const int t : before)
   {
     const Triangle& corners = this->Mesh.Triangles[t];
-    if (this->Mesh.LeastTangent(corners) > NeedleTangent)
+    if (this->Mesh.LeastTangent(t) > NeedleTangent)
     {
       wanted = std::min(wanted, this->AgreementOf(corners));
     }
@@ -121,6 +122,7 @@ void EvenPasses::SplitLong()
       this->Mesh.Split(terminal, k);
       this->Normals.push_back(length > 0 ? (1 / length) * sum : this->Normals[a]);
       this->Thin.push_back(this->Thin[a] || this->Thin[b] ? 1 : 0);
+      this->Home.push_back(std::max(this->Home[a], this->Home[b]));
       if (this->Grid)
       {
         for (const int s : this->Mesh.Around(static_cast<int>(this->Mesh.Points.size()) - 1))
@@ -143,7 +145,7 @@ double EvenPasses::QualityOf(const std::vector<int>& triangles) const
     {
       return -1;
     }
-    least = std::min(least, this->Mesh.LeastTangent(corners));
+    least = std::min(least, this->Mesh.LeastTangent(t));
   }
   return least;
 }
@@ -159,7 +161,7 @@ double EvenPasses::QualityOfCollapse(int from, int into, double cosine) const
   for (const int t : around)
   {
     Triangle moved = this->Mesh.Triangles[t];
-    before = std::min(before, this->Mesh.LeastTangent(moved));
+    before = std::min(before, this->Mesh.LeastTangent(t));
     if (this->Mesh.CornerOf(t, into) >= 0)
     {
       continue;
@@ -250,7 +252,7 @@ bool EvenPasses::FlipIfBetter(int t, int k, double cosine)
   }
   const Triangle& these = this->Mesh.Triangles[t];
   const Triangle& those = this->Mesh.Triangles[across];
-  const double before = std::min(this->Mesh.LeastTangent(these), this->Mesh.LeastTangent(those));
+  const double before = std::min(this->Mesh.LeastTangent(t), this->Mesh.LeastTangent(across));
   if (before >= PerfectTangent)
   {
     return false;
@@ -309,13 +311,33 @@ Box3 EvenPasses::BoxOf(int t) const
   return box;
 }
 
+/// To be put into the grid anew, before it is asked again.
 void EvenPasses::Register(int t)
 {
-  if (this->Grid && this->Mesh.IsAlive(t))
+  if (!this->Grid)
   {
-    const Box3 box = this->BoxOf(t);
-    this->Grid->Put(t, box.Low, box.High);
+    return;
   }
+  this->IsChanged.resize(this->Mesh.Triangles.size(), 0);
+  if (!this->IsChanged[t])
+  {
+    this->IsChanged[t] = 1;
+    this->Changed.push_back(t);
+  }
+}
+
+void EvenPasses::PutChanged()
+{
+  for (const int t : this->Changed)
+  {
+    this->IsChanged[t] = 0;
+    if (this->Mesh.IsAlive(t))
+    {
+      const Box3 box = this->BoxOf(t);
+      this->Grid->Put(t, box.Low, box.High);
+    }
+  }
+  this->Changed.clear();
 }
 
 bool EvenPasses::Crosses(int t)
@@ -347,6 +369,7 @@ bool EvenPasses::AnyCrosses(const std::vector<int>& triangles)
   {
     this->Register(t);
   }
+  this->PutChanged();
   return std::any_of(triangles.begin(), triangles.end(),
     [this](int t) { return this->Mesh.IsAlive(t) && this->Crosses(t); });
 }
@@ -425,12 +448,13 @@ void EvenPasses::Spread()
     {
       for (std::size_t v = from; v < to; ++v)
       {
-        const SurfacePlace place = found[v]
-          ? this->Surface.Nearest(middles[v], this->Normals[v], Reach * this->EdgeLength)
-          : SurfacePlace();
+        const SurfacePlace place = found[v] ? this->Surface.Nearest(middles[v], this->Normals[v],
+                                                Reach * this->EdgeLength, this->Home[v])
+                                            : SurfacePlace();
         found[v] = place.Triangle >= 0;
         if (found[v])
         {
+          this->Home[v] = place.Triangle;
           places[v] = place.On(this->Surface.Mesh);
           normals[v] = this->Surface.NormalAt(place);
         }
@@ -451,13 +475,17 @@ void EvenPasses::Place(int v, Point3& place, Vector3& normal)
 {
   const std::vector<int> around = this->Mesh.Around(v);
   const double before = this->QualityOf(around);
-  std::swap(this->Mesh.Points[v], place);
-  std::swap(this->Normals[v], normal);
-  if (!(this->QualityOf(around) > std::min(before, GoodTangent)) ||
-    (this->AnyThin(around) && this->AnyCrosses(around)))
+  const auto exchange = [&]
   {
     std::swap(this->Mesh.Points[v], place);
     std::swap(this->Normals[v], normal);
+    this->Mesh.Forget(around);
+  };
+  exchange();
+  if (!(this->QualityOf(around) > std::min(before, GoodTangent)) ||
+    (this->AnyThin(around) && this->AnyCrosses(around)))
+  {
+    exchange();
   }
   std::for_each(around.begin(), around.end(), [this](int t) { this->Register(t); });
 }
@@ -490,7 +518,7 @@ void EvenPasses::MendSlivers()
     const double cosine = 2 * pass < MostPasses ? UsualCosine : LeastCosine;
     for (int t = 0; t < static_cast<int>(this->Mesh.Triangles.size()); ++t)
     {
-      if (this->Mesh.IsAlive(t) && this->Mesh.LeastTangent(this->Mesh.Triangles[t]) < least)
+      if (this->Mesh.IsAlive(t) && this->Mesh.LeastTangent(t) < least)
       {
         mended += this->Mend(t, cosine) ? 1 : 0;
       }

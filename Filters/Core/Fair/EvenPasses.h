@@ -64,13 +64,17 @@ private:
   bool AnyThin(const std::vector<int>& triangles) const;
   Box3 BoxOf(int t) const;
   void Register(int t);
+  void PutChanged();
   bool Crosses(int t);
   bool AnyCrosses(const std::vector<int>& triangles);
   bool Mend(int t, double cosine);
 
+  std::vector<int> Home; ///< a point: triangle of the surface that it was last put on, -1 before
   const SurfacePlaces& Surface;
   double EdgeLength;
   std::unique_ptr<TriangleGrid> Grid; ///< made when it is first asked
+  std::vector<int> Changed;           ///< triangles that the grid does not know yet as they are
+  std::vector<char> IsChanged;        ///< a triangle
   int Threads;
   Monitor& Observer;
 };

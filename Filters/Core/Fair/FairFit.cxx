@@ -129,11 +129,11 @@ std::vector<Point3> SolveWithin(const TriangleMesh& mesh, std::vector<Pull>& pul
 {
   AbortMonitor silent(monitor);
   TriangleMesh moved = mesh;
+  FairSystem system(mesh, options.Kept, scale, options.Threads, silent);
   for (int solve = 0; solve < MostSolves; ++solve)
   {
     monitor.Update(static_cast<double>(solve) / MostSolves, "fairing");
-    FairSystem system(moved, options.Kept, mesh.Points, scale, options.Threads, silent);
-    moved.Points = system.Solve(pulls, tension);
+    moved.Points = system.Solve(moved.Points, pulls, tension);
     const std::size_t missed = PullAgain(SurfacePlaces(moved), pulls, options, silent);
     if (missed == 0 && solve + 1 >= LeastSolves)
     {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Fair/FairSystem.h"
 
-#include "Base/Monitor.h"
+#include "Base/Parallel.h"
 #include "Fair/DissectionOrder.h"
 #include "Fair/FrontalCholesky.h"
 
@@ -15,7 +15,6 @@ namespace recon
 namespace
 {
 using Matrix = Eigen::SparseMatrix<double>;
-using Entry = Eigen::Triplet<double>;
 
 /// What tension 1/2 weighs, membrane against thin plate.
 constexpr double TensionScale = 10;
@@ -25,12 +24,36 @@ constexpr double LeastCotangent = 0.02;
 constexpr double LeastArea = 0.1;
 /// So much of the diagonal keeps points without any pull around from drifting.
 constexpr double Anchorage = 1e-10;
+constexpr std::size_t ColumnsABlock = 2048;
 
-double CotangentAt(const Point3& a, const Point3& b, const Point3& c)
+/// A matrix with zeros at the rows given, a list a column, in increasing order.
+Matrix WithEntriesAt(const std::vector<std::vector<int>>& rows)
 {
-  const Vector3 u = b - a;
-  const Vector3 v = c - a;
-  return Dot(u, v) / std::max(Norm(Cross(u, v)), 1e-300);
+  const auto count = static_cast<Eigen::Index>(rows.size());
+  Matrix matrix(count, count);
+  std::size_t entries = 0;
+  for (std::size_t column = 0; column < rows.size(); ++column)
+  {
+    matrix.outerIndexPtr()[column] = static_cast<int>(entries);
+    entries += rows[column].size();
+  }
+  matrix.outerIndexPtr()[rows.size()] = static_cast<int>(entries);
+  matrix.resizeNonZeros(static_cast<Eigen::Index>(entries));
+  int* place = matrix.innerIndexPtr();
+  for (const std::vector<int>& column : rows)
+  {
+    place = std::copy(column.begin(), column.end(), place);
+  }
+  std::fill_n(matrix.valuePtr(), entries, 0.0);
+  return matrix;
+}
+
+/// Where an entry that the matrix has is among its values.
+int PlaceOf(const Matrix& matrix, int row, int column)
+{
+  const int* begin = matrix.innerIndexPtr() + matrix.outerIndexPtr()[column];
+  const int* end = matrix.innerIndexPtr() + matrix.outerIndexPtr()[column + 1];
+  return static_cast<int>(std::lower_bound(begin, end, row) - matrix.innerIndexPtr());
 }
 }
 
@@ -43,13 +66,17 @@ struct FairSystem::Implementation
   DissectionOrder Order;
   const std::vector<int>& Rank; ///< of a point among the unknowns
   Matrix Membrane;              ///< positive semidefinite
-  Matrix ThinPlate;
-  Eigen::VectorXd Kept; ///< over the points' areas
-  Eigen::MatrixXd Places;
+  std::vector<std::array<int, 6>>
+    Places; ///< of a triangle's sides among the membrane's values, both ways
+  Eigen::VectorXd InverseAreas;
+  Eigen::VectorXd Kept;
+  Eigen::VectorXd Creased; ///< 0 where the surface bends as it likes, else 1
+  Eigen::MatrixXd Rest;
+  Matrix System; ///< the lower triangle
   std::unique_ptr<FrontalCholesky> Factor;
 
-  Implementation(const TriangleMesh& mesh, const std::vector<double>& kept,
-    const std::vector<Point3>& rest, double scale, int threads, Monitor& monitor)
+  Implementation(const TriangleMesh& mesh, const std::vector<double>& kept, double scale,
+    int threads, Monitor& monitor)
     : Mesh(mesh),
       Scale(scale),
       Threads(threads),
@@ -57,114 +84,225 @@ struct FairSystem::Implementation
       Order(DissectMesh(mesh)),
       Rank(Order.Rank)
   {
-    this->BuildMembrane();
-    this->BuildThinPlate(kept);
-    this->Places.resize(static_cast<Eigen::Index>(mesh.Points.size()), 3);
+    this->FindEntriesOfMembrane();
+    this->FindEntriesOfSystem();
+    this->Rest.resize(this->Count(), 3);
+    this->Kept = Eigen::VectorXd::Zero(this->Count());
+    this->Creased = Eigen::VectorXd::Ones(this->Count());
     for (std::size_t p = 0; p < mesh.Points.size(); ++p)
     {
-      for (int k = 0; k < 3; ++k)
+      const int row = this->Rank[p];
+      this->Rest.row(row) << mesh.Points[p][0], mesh.Points[p][1], mesh.Points[p][2];
+      if (!kept.empty())
       {
-        this->Places(this->Rank[p], k) = rest[p][k];
+        this->Creased[row] = kept[p] == Crease ? 0 : 1;
+        this->Kept[row] = kept[p] == Crease ? 0 : kept[p];
       }
     }
+    this->Factor = std::make_unique<FrontalCholesky>(this->Order.Nodes, this->System);
   }
 
   Eigen::Index Count() const { return static_cast<Eigen::Index>(this->Mesh.Points.size()); }
 
-  void BuildMembrane()
+  /// Every point with itself and those beside it.
+  void FindEntriesOfMembrane()
   {
-    std::vector<Entry> entries;
-    entries.reserve(12 * this->Mesh.Triangles.size());
+    std::vector<std::vector<int>> rows(this->Mesh.Points.size());
     for (const auto& t : this->Mesh.Triangles)
     {
       for (int k = 0; k < 3; ++k)
       {
-        const int u = this->Rank[t[(k + 1) % 3]];
-        const int v = this->Rank[t[(k + 2) % 3]];
-        const double weight = std::max(LeastCotangent,
-          0.5 *
-            CotangentAt(this->Mesh.Points[t[k]], this->Mesh.Points[t[(k + 1) % 3]],
-              this->Mesh.Points[t[(k + 2) % 3]]));
-        entries.emplace_back(u, u, weight);
-        entries.emplace_back(v, v, weight);
-        entries.emplace_back(u, v, -weight);
-        entries.emplace_back(v, u, -weight);
+        rows[this->Rank[t[k]]].push_back(this->Rank[t[(k + 1) % 3]]);
+        rows[this->Rank[t[k]]].push_back(this->Rank[t[(k + 2) % 3]]);
       }
     }
-    this->Membrane.resize(this->Count(), this->Count());
-    this->Membrane.setFromTriplets(entries.begin(), entries.end());
-  }
-
-  void BuildThinPlate(const std::vector<double>& kept)
-  {
-    Eigen::VectorXd areas = Eigen::VectorXd::Zero(this->Count());
+    for (std::size_t column = 0; column < rows.size(); ++column)
+    {
+      rows[column].push_back(static_cast<int>(column));
+      std::sort(rows[column].begin(), rows[column].end());
+      rows[column].erase(std::unique(rows[column].begin(), rows[column].end()), rows[column].end());
+    }
+    this->Membrane = WithEntriesAt(rows);
     for (const auto& t : this->Mesh.Triangles)
     {
-      const auto& points = this->Mesh.Points;
-      const double area = Norm(Cross(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]])) / 6;
-      for (const int v : t)
+      std::array<int, 6> places{};
+      for (int k = 0; k < 3; ++k)
       {
-        areas[this->Rank[v]] += area;
+        const int u = this->Rank[t[(k + 1) % 3]];
+        const int v = this->Rank[t[(k + 2) % 3]];
+        places[2 * k] = PlaceOf(this->Membrane, u, v);
+        places[2 * k + 1] = PlaceOf(this->Membrane, v, u);
       }
+      this->Places.push_back(places);
     }
-    const double least = LeastArea * areas.mean();
-    Eigen::VectorXd inverse = areas.cwiseMax(least).cwiseInverse();
-    this->Kept = Eigen::VectorXd::Zero(this->Count());
-    for (std::size_t p = 0; p < kept.size(); ++p)
-    {
-      const bool creased = kept[p] == Crease;
-      inverse[this->Rank[p]] *= creased ? 0 : 1;
-      this->Kept[this->Rank[p]] = creased ? 0 : kept[p];
-    }
-    this->Kept.array() *= inverse.array();
-    this->ThinPlate = this->Membrane * inverse.asDiagonal() * this->Membrane;
   }
 
-  Matrix Pulling(const std::vector<Pull>& pulls, Eigen::MatrixXd& right) const
+  /// Every point with those of later columns that are no more than two edges away.
+  void FindEntriesOfSystem()
+  {
+    std::vector<std::vector<int>> rows(this->Mesh.Points.size());
+    ParallelForBlocks(rows.size(), ColumnsABlock, this->Threads,
+      [&](std::size_t from, std::size_t to)
+      {
+        for (std::size_t column = from; column < to; ++column)
+        {
+          const int least = static_cast<int>(column);
+          std::vector<int>& found = rows[column];
+          for (Matrix::InnerIterator beside(this->Membrane, least); beside; ++beside)
+          {
+            for (Matrix::InnerIterator next(this->Membrane, beside.row()); next; ++next)
+            {
+              if (next.row() >= least)
+              {
+                found.push_back(static_cast<int>(next.row()));
+              }
+            }
+          }
+          std::sort(found.begin(), found.end());
+          found.erase(std::unique(found.begin(), found.end()), found.end());
+        }
+      },
+      this->Observer, { 0, 0, "fairing" });
+    this->System = WithEntriesAt(rows);
+  }
+
+  /// Membrane and areas of the mesh in this shape.
+  void Measure(const std::vector<Point3>& shape)
+  {
+    double* values = this->Membrane.valuePtr();
+    std::fill_n(values, this->Membrane.nonZeros(), 0.0);
+    Eigen::VectorXd areas = Eigen::VectorXd::Zero(this->Count());
+    for (std::size_t i = 0; i < this->Mesh.Triangles.size(); ++i)
+    {
+      const auto& t = this->Mesh.Triangles[i];
+      const std::array<Vector3, 3> sides{ shape[t[2]] - shape[t[1]], shape[t[0]] - shape[t[2]],
+        shape[t[1]] - shape[t[0]] };
+      const double twice = Norm(Cross(sides[1], sides[2]));
+      for (int k = 0; k < 3; ++k)
+      {
+        const double cotangent =
+          -Dot(sides[(k + 1) % 3], sides[(k + 2) % 3]) / std::max(twice, 1e-300);
+        const double weight = std::max(LeastCotangent, 0.5 * cotangent);
+        values[this->Places[i][2 * k]] -= weight;
+        values[this->Places[i][2 * k + 1]] -= weight;
+        areas[this->Rank[t[k]]] += twice / 6;
+      }
+    }
+    // What a column adds up to is nothing.
+    for (int column = 0; column < this->Count(); ++column)
+    {
+      double sum = 0;
+      double* diagonal = nullptr;
+      for (Matrix::InnerIterator entry(this->Membrane, column); entry; ++entry)
+      {
+        sum += entry.value();
+        diagonal = entry.row() == column ? &entry.valueRef() : diagonal;
+      }
+      *diagonal = -sum;
+    }
+    const double least = LeastArea * areas.mean();
+    this->InverseAreas = areas.cwiseMax(least).cwiseInverse().cwiseProduct(this->Creased);
+  }
+
+  /// The sum of thin plate and membrane, without pulls.
+  void FillSystem(double plate, double membrane)
+  {
+    ParallelForBlocks(this->Mesh.Points.size(), ColumnsABlock, this->Threads,
+      [&](std::size_t from, std::size_t to)
+      {
+        // A row's place in the column that is filled.
+        std::vector<int> placeOf(this->Mesh.Points.size());
+        for (std::size_t column = from; column < to; ++column)
+        {
+          this->FillColumn(static_cast<int>(column), plate, membrane, placeOf);
+        }
+      },
+      this->Observer, { 0, 0, "fairing" });
+  }
+
+  void FillColumn(int column, double plate, double membrane, std::vector<int>& placeOf)
+  {
+    double* values = this->System.valuePtr();
+    const int begin = this->System.outerIndexPtr()[column];
+    const int end = this->System.outerIndexPtr()[column + 1];
+    for (int place = begin; place < end; ++place)
+    {
+      placeOf[this->System.innerIndexPtr()[place]] = place;
+      values[place] = 0;
+    }
+    for (Matrix::InnerIterator beside(this->Membrane, column); beside; ++beside)
+    {
+      const int row = static_cast<int>(beside.row());
+      if (row >= column)
+      {
+        values[placeOf[row]] += membrane * beside.value();
+      }
+      const double share = plate * beside.value() * this->InverseAreas[row];
+      for (Matrix::InnerIterator next(this->Membrane, row); next; ++next)
+      {
+        if (next.row() >= column)
+        {
+          values[placeOf[next.row()]] += share * next.value();
+        }
+      }
+    }
+  }
+
+  void AddPulls(const std::vector<Pull>& pulls, Eigen::MatrixXd& right)
   {
     const double cube = this->Scale * this->Scale * this->Scale;
-    std::vector<Entry> entries;
-    entries.reserve(9 * pulls.size());
+    double* values = this->System.valuePtr();
     for (const Pull& pull : pulls)
     {
       const auto& t = this->Mesh.Triangles[pull.From.Triangle];
       for (int i = 0; i < 3; ++i)
       {
+        const int row = this->Rank[t[i]];
         const double weight = pull.Weight / cube * pull.From.Shares[i];
         for (int j = 0; j < 3; ++j)
         {
-          entries.emplace_back(this->Rank[t[i]], this->Rank[t[j]], weight * pull.From.Shares[j]);
+          if (row >= this->Rank[t[j]])
+          {
+            values[PlaceOf(this->System, row, this->Rank[t[j]])] += weight * pull.From.Shares[j];
+          }
         }
         for (int k = 0; k < 3; ++k)
         {
-          right(this->Rank[t[i]], k) += weight * pull.To[k];
+          right(row, k) += weight * pull.To[k];
         }
       }
     }
-    Matrix pulling(this->Count(), this->Count());
-    pulling.setFromTriplets(entries.begin(), entries.end());
-    return pulling;
   }
 
-  std::vector<Point3> Solve(const std::vector<Pull>& pulls, double tension)
+  /// Of each column the first entry is that of the diagonal.
+  void Anchor(Eigen::MatrixXd& right)
   {
-    const double membrane = TensionScale * tension / (this->Scale * this->Scale);
-    const Eigen::MatrixXd bent = this->Membrane * this->Places;
-    Eigen::MatrixXd right = membrane * bent;
-    right += (1 - tension) * (this->Membrane * (this->Kept.asDiagonal() * bent));
-    Matrix system =
-      (1 - tension) * this->ThinPlate + membrane * this->Membrane + this->Pulling(pulls, right);
-    const double anchorage = Anchorage * system.diagonal().mean();
+    double sum = 0;
     for (Eigen::Index v = 0; v < this->Count(); ++v)
     {
-      system.coeffRef(v, v) += anchorage;
+      sum += this->System.valuePtr()[this->System.outerIndexPtr()[v]];
     }
-    right += anchorage * this->Places;
-    if (!this->Factor)
+    const double anchorage = Anchorage * sum / static_cast<double>(this->Count());
+    for (Eigen::Index v = 0; v < this->Count(); ++v)
     {
-      this->Factor = std::make_unique<FrontalCholesky>(this->Order.Nodes, system);
+      this->System.valuePtr()[this->System.outerIndexPtr()[v]] += anchorage;
     }
-    if (!this->Factor->Factorise(system, this->Threads, this->Observer))
+    right += anchorage * this->Rest;
+  }
+
+  std::vector<Point3> Solve(
+    const std::vector<Point3>& shape, const std::vector<Pull>& pulls, double tension)
+  {
+    this->Measure(shape);
+    const double membrane = TensionScale * tension / (this->Scale * this->Scale);
+    const Eigen::MatrixXd bent = this->Membrane * this->Rest;
+    Eigen::MatrixXd right = membrane * bent;
+    const Eigen::VectorXd kept = this->Kept.cwiseProduct(this->InverseAreas);
+    right += (1 - tension) * (this->Membrane * (kept.asDiagonal() * bent));
+    this->FillSystem(1 - tension, membrane);
+    this->AddPulls(pulls, right);
+    this->Anchor(right);
+    if (!this->Factor->Factorise(this->System, this->Threads, this->Observer))
     {
       throw Error("The equations of the fair surface could not be solved; choose a larger Edge "
                   "Length or Tolerance.");
@@ -180,16 +318,17 @@ struct FairSystem::Implementation
   }
 };
 
-FairSystem::FairSystem(const TriangleMesh& mesh, const std::vector<double>& kept,
-  const std::vector<Point3>& rest, double scale, int threads, Monitor& monitor)
-  : Impl(std::make_unique<Implementation>(mesh, kept, rest, scale, threads, monitor))
+FairSystem::FairSystem(const TriangleMesh& mesh, const std::vector<double>& kept, double scale,
+  int threads, Monitor& monitor)
+  : Impl(std::make_unique<Implementation>(mesh, kept, scale, threads, monitor))
 {
 }
 
 FairSystem::~FairSystem() = default;
 
-std::vector<Point3> FairSystem::Solve(const std::vector<Pull>& pulls, double tension)
+std::vector<Point3> FairSystem::Solve(
+  const std::vector<Point3>& shape, const std::vector<Pull>& pulls, double tension)
 {
-  return this->Impl->Solve(pulls, tension);
+  return this->Impl->Solve(shape, pulls, tension);
 }
 }

@@ -36,23 +36,25 @@ constexpr double Crease = 2;
  *
  *     (1 - t) ∫|Δx - k Δx0|² + t s / h² ∫|∇(x - x0)|² + Σ Weight / h³ |x(From) - To|²
  *
- * least. Δ is the Laplacian of the mesh as it is (cotangents). t = 1 leaves the points at rest as far
- * as pulls allow.
+ * least. Δ is the Laplacian (cotangents) of the mesh in a given shape. t = 1 leaves the points at rest
+ * as far as pulls allow. The order of the unknowns is found once, for any number of shapes.
  */
 class FairSystem
 {
 public:
-  /// All outlive this. @param mesh whose lengths and angles count @param kept a point:
-  /// how much of its bend at rest it keeps, from 0 to 1, and Crease where it bends as it likes; or empty @param rest x0 @param scale length of
-  /// what is bridged: the distance of slices
-  FairSystem(const TriangleMesh& mesh, const std::vector<double>& kept,
-    const std::vector<Point3>& rest, double scale, int threads, Monitor& monitor);
+  /// @param mesh at rest, x0; outlives this @param kept a point: how much of its bend at rest it keeps,
+  /// from 0 to 1, and Crease where it bends as it likes; or empty @param scale length of what is
+  /// bridged: the distance of slices
+  FairSystem(const TriangleMesh& mesh, const std::vector<double>& kept, double scale, int threads,
+    Monitor& monitor);
   ~FairSystem();
   FairSystem(const FairSystem&) = delete;
   FairSystem& operator=(const FairSystem&) = delete;
 
-  /// The points' new places. @throws Error where the equations have no answer; Aborted
-  std::vector<Point3> Solve(const std::vector<Pull>& pulls, double tension);
+  /// The points' new places. @param shape places of the points whose lengths and angles count
+  /// @throws Error where the equations have no answer; Aborted
+  std::vector<Point3> Solve(
+    const std::vector<Point3>& shape, const std::vector<Pull>& pulls, double tension);
 
 private:
   struct Implementation;

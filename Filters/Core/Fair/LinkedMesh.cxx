@@ -48,6 +48,7 @@ LinkedMesh::LinkedMesh(const TriangleMesh& mesh, const std::vector<char>& parts)
     Parts(parts)
 {
   this->Parts.resize(mesh.Triangles.size(), 0);
+  this->Tangent.assign(mesh.Triangles.size(), Unknown);
   this->Link();
 }
 
@@ -214,6 +215,8 @@ int LinkedMesh::Split(int t, int k)
   this->Points.push_back(0.5 * (this->Points[b] + this->Points[c]));
   this->TriangleAt.push_back(t);
   this->OnBorder.push_back(across < 0 ? 1 : 0);
+  this->Tangent[t] = Unknown;
+  this->Tangent.push_back(Unknown);
   this->Triangles[t] = { a, b, m };
   this->Neighbour[t] = { acrossHalf, half, ab };
   this->Triangles.push_back({ a, m, c });
@@ -229,6 +232,8 @@ int LinkedMesh::Split(int t, int k)
     const int d = this->Triangles[across][j];
     const int bd = this->Neighbour[across][Next(j)];
     const int dc = this->Neighbour[across][Previous(j)];
+    this->Tangent[across] = Unknown;
+    this->Tangent.push_back(Unknown);
     this->Triangles[across] = { d, c, m };
     this->Neighbour[across] = { half, acrossHalf, dc };
     this->Triangles.push_back({ d, m, b });
@@ -269,6 +274,7 @@ void LinkedMesh::Flip(int t, int k)
   const int ca = this->Neighbour[t][Next(k)];
   const int bd = this->Neighbour[across][Next(j)];
   const int dc = this->Neighbour[across][Previous(j)];
+  this->Tangent[t] = this->Tangent[across] = Unknown;
   this->Triangles[t] = { a, b, d };
   this->Neighbour[t] = { bd, across, ab };
   this->Triangles[across] = { a, d, c };
@@ -351,6 +357,7 @@ bool LinkedMesh::TakeAway(int t, int from, int into)
 void LinkedMesh::Collapse(int from, int into)
 {
   const std::vector<int> around = this->Around(from);
+  this->Forget(around);
   for (const int t : around)
   {
     if (!this->TakeAway(t, from, into))
@@ -385,6 +392,7 @@ LinkedMesh::Memory LinkedMesh::Remember(const std::vector<int>& triangles) const
 
 void LinkedMesh::PutBack(const Memory& memory)
 {
+  this->Forget(memory.Numbers);
   for (std::size_t i = 0; i < memory.Numbers.size(); ++i)
   {
     this->Triangles[memory.Numbers[i]] = memory.Triangles[i][0];

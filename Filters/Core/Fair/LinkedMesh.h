@@ -57,6 +57,20 @@ public:
 
   Vector3 AreaNormal(const Triangle& t) const;
   double LeastTangent(const Triangle& t) const; ///< of the smallest angle
+  /// The same of a triangle of this mesh, kept until the mesh changes there or Forget is told.
+  double LeastTangent(int t) const
+  {
+    double& known = this->Tangent[t];
+    return known >= 0 ? known : known = this->LeastTangent(this->Triangles[t]);
+  }
+  /// A corner of these has been moved.
+  void Forget(const std::vector<int>& triangles)
+  {
+    for (const int t : triangles)
+    {
+      this->Tangent[t] = Unknown;
+    }
+  }
   double SideLength(int t, int k) const;
   int LongestSide(int t) const;
 
@@ -87,7 +101,9 @@ private:
   bool KeepsCrease(int from, int into) const;
   bool TakeAway(int t, int from, int into);
 
-  mutable std::vector<int> Ring; ///< what Around gives, until it is called again
+  static constexpr double Unknown = -1; ///< in the place of a tangent, which is never negative
+  mutable std::vector<double> Tangent;  ///< of the smallest angle of a triangle, where it is known
+  mutable std::vector<int> Ring;        ///< what Around gives, until it is called again
 };
 
 /// Of a triangle without area 0. Rises with the angle, and needs no arc tangent.

@@ -10,6 +10,8 @@ namespace
 {
 /// Cosine with the asked normal below which a triangle is of another sheet.
 constexpr double OtherSheet = -0.3;
+/// Of the radius, how far around a point is looked first.
+constexpr double FirstReach = 1.0 / 16;
 
 Vector3 Unit(const Vector3& v)
 {
@@ -92,33 +94,41 @@ SurfacePlaces::SurfacePlaces(const TriangleMesh& mesh)
   }
 }
 
-SurfacePlace SurfacePlaces::Nearest(const Point3& p, const Vector3& normal, double radius) const
+SurfacePlace SurfacePlaces::Nearest(
+  const Point3& p, const Vector3& normal, double radius, int guess) const
 {
   SurfacePlace best;
-  double least = radius;
-  // Outward in steps, as most points are near the surface.
-  for (double reach = radius / 16; best.Triangle < 0 && reach <= radius; reach *= 4)
+  best.Distance = radius;
+  const auto look = [&](int t)
   {
-    this->Tree.VisitMeeting(Box3(p, p).Grown(reach),
-      [&](int t)
+    if (Dot(this->Facing[t], normal) >= OtherSheet)
+    {
+      const auto& corners = this->Mesh.Triangles[t];
+      SurfacePlace place = NearestOfTriangle(p, this->Mesh.Points[corners[0]],
+        this->Mesh.Points[corners[1]], this->Mesh.Points[corners[2]]);
+      const bool first =
+        place.Distance == best.Distance && (best.Triangle < 0 || t < best.Triangle);
+      if (place.Distance < best.Distance || first)
       {
-        if (Dot(this->Facing[t], normal) < OtherSheet)
-        {
-          return;
-        }
-        const auto& corners = this->Mesh.Triangles[t];
-        SurfacePlace place = NearestOfTriangle(p, this->Mesh.Points[corners[0]],
-          this->Mesh.Points[corners[1]], this->Mesh.Points[corners[2]]);
-        const bool first = place.Distance == least && t < best.Triangle;
-        if (place.Distance <= reach && (place.Distance < least || first))
-        {
-          least = place.Distance;
-          best = place;
-          best.Triangle = t;
-        }
-      });
+        best = place;
+        best.Triangle = t;
+      }
+    }
+  };
+  if (guess >= 0)
+  {
+    look(guess);
   }
-  return best;
+  // Outward in steps, as most points are near the surface; no farther than what is known already.
+  for (double reach = FirstReach * radius;; reach *= 4)
+  {
+    const double within = std::min(reach, best.Distance);
+    this->Tree.VisitMeeting(Box3(p, p).Grown(within), look);
+    if (best.Distance <= within)
+    {
+      return best;
+    }
+  }
 }
 
 Vector3 SurfacePlaces::NormalAt(const SurfacePlace& place) const

@@ -45,8 +45,8 @@ public:
   explicit SurfacePlaces(const TriangleMesh& mesh);
 
   /// Within `radius`, of the triangles that do not face away from the normal; of equally near ones
-  /// the first.
-  SurfacePlace Nearest(const Point3& p, const Vector3& normal, double radius) const;
+  /// the first. @param guess a triangle that may be near, which saves time; -1: none is known
+  SurfacePlace Nearest(const Point3& p, const Vector3& normal, double radius, int guess = -1) const;
 
   /// The normal there, between those at the corners.
   Vector3 NormalAt(const SurfacePlace& place) const;

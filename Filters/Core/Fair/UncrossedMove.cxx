@@ -32,10 +32,11 @@ public:
   {
     UncrossedMove moved;
     moved.Mesh = this->Given;
+    std::vector<char> changed = this->MovedTriangles();
     for (int attempt = 0; attempt < MostAttempts; ++attempt)
     {
       this->Apply(moved.Mesh);
-      std::vector<char> bad = this->FindBad(moved.Mesh);
+      std::vector<char> bad = this->FindBad(moved.Mesh, changed);
       if (std::none_of(bad.begin(), bad.end(), [](char b) { return b != 0; }))
       {
         moved.HeldBack = std::count_if(
@@ -50,6 +51,7 @@ public:
       {
         this->Share[v] = !bad[v] ? this->Share[v] : attempt < Halvings ? 0.5 * this->Share[v] : 0;
       }
+      changed = this->TrianglesOf(bad);
     }
     moved.Mesh = this->Given;
     moved.HeldBack = this->Share.size();
@@ -57,6 +59,28 @@ public:
   }
 
 private:
+  /// Those with one of the points.
+  std::vector<char> TrianglesOf(const std::vector<char>& points) const
+  {
+    std::vector<char> of(this->Given.Triangles.size(), 0);
+    for (std::size_t t = 0; t < of.size(); ++t)
+    {
+      const auto& corners = this->Given.Triangles[t];
+      of[t] = points[corners[0]] || points[corners[1]] || points[corners[2]] ? 1 : 0;
+    }
+    return of;
+  }
+
+  std::vector<char> MovedTriangles() const
+  {
+    std::vector<char> moves(this->Given.Points.size(), 0);
+    for (std::size_t v = 0; v < moves.size(); ++v)
+    {
+      moves[v] = this->Places[v] != this->Given.Points[v] ? 1 : 0;
+    }
+    return this->TrianglesOf(moves);
+  }
+
   void Apply(TriangleMesh& mesh) const
   {
     for (std::size_t v = 0; v < this->Share.size(); ++v)
@@ -68,8 +92,9 @@ private:
     }
   }
 
-  /// Points of triangles that cross or are too thin now.
-  std::vector<char> FindBad(const TriangleMesh& mesh) const
+  /// Points of triangles that cross or are too thin now, among those that have changed since this was
+  /// asked last: the others were well then.
+  std::vector<char> FindBad(const TriangleMesh& mesh, const std::vector<char>& changed) const
   {
     std::vector<char> bad(mesh.Points.size(), 0);
     const auto mark = [&](int t)
@@ -81,6 +106,7 @@ private:
     };
     SelfIntersectionOptions options;
     options.Threads = this->Threads;
+    options.Of = &changed;
     for (const IntersectingPair& pair : FindSelfIntersections(mesh, options, this->Observer).Pairs)
     {
       if (pair.Kind != IntersectingPair::Touching)
@@ -91,7 +117,7 @@ private:
     }
     for (int t = 0; this->LeastAngle > 0 && t < static_cast<int>(mesh.Triangles.size()); ++t)
     {
-      if (this->AngleIn(mesh, t) < this->LeastAngle &&
+      if (changed[t] && this->AngleIn(mesh, t) < this->LeastAngle &&
         this->AngleIn(mesh, t) < this->AngleIn(this->Given, t))
       {
         mark(t);

@@ -60,3 +60,22 @@ TEST(SurfacePlaces, NormalsOfASpherePointOut)
     EXPECT_GT(Dot(normals[p], sphere.Points[p]), 0.98);
   }
 }
+
+TEST(SurfacePlaces, AGuessChangesNothing)
+{
+  const TriangleMesh torus = MakeTorus(3, 1);
+  const SurfacePlaces places(torus);
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> coordinate(-4, 4);
+  std::uniform_int_distribution<int> triangle(0, static_cast<int>(torus.Triangles.size()) - 1);
+  for (int i = 0; i < 2000; ++i)
+  {
+    const Point3 p{ coordinate(random), coordinate(random), 0.3 * coordinate(random) };
+    const Vector3 normal{ 0, 0, i % 2 == 0 ? 1.0 : -1.0 };
+    const SurfacePlace one = places.Nearest(p, normal, 1);
+    const SurfacePlace other = places.Nearest(p, normal, 1, triangle(random));
+    EXPECT_EQ(one.Triangle, other.Triangle);
+    EXPECT_EQ(one.Shares, other.Shares);
+    EXPECT_EQ(one.Distance, other.Distance);
+  }
+}
