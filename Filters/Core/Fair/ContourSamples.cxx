@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Fair/ContourSamples.h"
 
+#include "Base/Angles.h"
+
 #include <algorithm>
 
 namespace recon
@@ -30,6 +32,12 @@ public:
   void Add(const Contour& contour)
   {
     const std::size_t count = contour.Points.size();
+    double length = 0;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      length += Norm(this->At(contour.Points[(i + 1) % count]) - this->At(contour.Points[i]));
+    }
+    this->Radius = length / (2 * Pi);
     for (std::size_t i = 0; i < count; ++i)
     {
       this->AddVertex(contour, contour.Points[(i + count - 1) % count], contour.Points[i],
@@ -72,18 +80,19 @@ private:
     const double length = 0.5 * (Norm(b - a) / this->PiecesOf(a, b) + Norm(c - b) / pieces);
     const Vector3 right = this->RightOf(contour, b, c);
     this->Samples.push_back(
-      { b, Unit(this->RightOf(contour, a, b) + right), length, contour.Level, true });
+      { b, Unit(this->RightOf(contour, a, b) + right), length, contour.Level, true, this->Radius });
     for (int k = 1; k < pieces && this->IsKnown(after); ++k)
     {
       const double t = static_cast<double>(k) / pieces;
       this->Samples.push_back(
-        { b + t * (c - b), right, Norm(c - b) / pieces, contour.Level, false });
+        { b + t * (c - b), right, Norm(c - b) / pieces, contour.Level, false, this->Radius });
     }
   }
 
   const ContourSet& Contours;
   std::vector<Point3> Known;
   double Distance;
+  double Radius = 0; ///< of the contour that is added
 };
 }
 

@@ -21,6 +21,7 @@ struct ContourSample
   double Length;   ///< of the contour that it stands for
   int Level;
   bool IsVertex; ///< a vertex of the contour, not a place along an edge
+  double Radius; ///< of a circle as long as the contour
 };
 
 /**

@@ -9,6 +9,7 @@
 #include "Mesh/TriangleTree.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace recon
@@ -21,11 +22,13 @@ constexpr double Reach = 2;
 constexpr double MoreWeight = 10;
 constexpr int LeastSolves = 2;
 constexpr int MostSolves = 3;
-/// Passes over the samples that are too far, and rounds of passes with what crosses taken back; they
-/// are brought to this part of the tolerance.
+/// Passes over the samples that are too far, which are brought to this part of the tolerance; rounds of
+/// passes with what crosses, or becomes thin, taken back; and after these rounds in which angles may
+/// become small, as the tolerance comes first.
 constexpr int Passes = 12;
-constexpr int Rounds = 3;
 constexpr double PartOfTolerance = 0.7;
+constexpr int Rounds = 3;
+constexpr int AnyAngleRounds = 2;
 constexpr std::size_t SamplesABlock = 256;
 
 std::vector<SurfacePlace> PlacesOf(const SurfacePlaces& surface,
@@ -117,19 +120,21 @@ std::vector<Pull> PullsOf(const SurfacePlaces& surface, const std::vector<Contou
   {
     if (places[i].Triangle >= 0)
     {
-      pulls.push_back(
-        { places[i], samples[i].Place, samples[i].Outward, options.Weight * samples[i].Length });
+      const double smaller = std::max(1.0, options.Scale / samples[i].Radius);
+      const double asLarge = std::min(options.MostWeight, options.Weight * std::pow(smaller, 3));
+      const double weight = samples[i].Length * std::max(options.Weight, asLarge);
+      pulls.push_back({ places[i], samples[i].Place, samples[i].Outward, weight });
     }
   }
   return pulls;
 }
 
-std::vector<Point3> SolveWithin(const TriangleMesh& mesh, std::vector<Pull>& pulls, double scale,
-  double tension, const FairFitOptions& options, Monitor& monitor)
+std::vector<Point3> SolveWithin(const TriangleMesh& mesh, std::vector<Pull>& pulls, double tension,
+  const FairFitOptions& options, Monitor& monitor)
 {
   AbortMonitor silent(monitor);
   TriangleMesh moved = mesh;
-  FairSystem system(mesh, options.Kept, scale, options.Threads, silent);
+  FairSystem system(mesh, options.Kept, options.Scale, options.Threads, silent);
   for (int solve = 0; solve < MostSolves; ++solve)
   {
     monitor.Update(static_cast<double>(solve) / MostSolves, "fairing");
@@ -147,7 +152,7 @@ TriangleMesh PullWithin(const TriangleMesh& mesh, const std::vector<ContourSampl
   const FairFitOptions& options, Monitor& monitor)
 {
   TriangleMesh pulled = mesh;
-  for (int round = 0; round < Rounds; ++round)
+  for (int round = 0; round < Rounds + AnyAngleRounds; ++round)
   {
     const SurfacePlaces surface(pulled);
     const std::vector<SurfacePlace> places =
@@ -176,8 +181,8 @@ TriangleMesh PullWithin(const TriangleMesh& mesh, const std::vector<ContourSampl
     {
       break;
     }
-    pulled =
-      MoveUncrossed(pulled, moved.Points, FairLeastAngle * Pi / 180, options.Threads, monitor).Mesh;
+    const double leastAngle = round < Rounds ? FairLeastAngle * Pi / 180 : 0;
+    pulled = MoveUncrossed(pulled, moved.Points, leastAngle, options.Threads, monitor).Mesh;
   }
   return pulled;
 }

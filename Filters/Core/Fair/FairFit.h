@@ -20,7 +20,9 @@ struct FairFitOptions
 {
   double Tolerance = 0;     ///< in the units of the input
   double EdgeLength = 1;    ///< of the mesh
+  double Scale = 1;         ///< length of what is bridged: the distance of slices
   double Weight = 1;        ///< of pulls, see FairSystem; those that miss get more
+  double MostWeight = 1;    ///< of those of contours smaller than the scale, or Weight
   std::vector<double> Kept; ///< a point of the mesh, see FairSystem
   int Threads = 0;
 };
@@ -36,7 +38,8 @@ SampleMisfit MeasureMisfit(const TriangleMesh& mesh, const std::vector<ContourSa
   double tolerance, int threads, Monitor& monitor);
 
 /// The pulls of samples at the places of the mesh nearest to them; those that have none within some
-/// edge lengths are passed over.
+/// edge lengths are passed over. Contours smaller than the scale pull more: a bump's bending grows as its
+/// size becomes smaller, and what pulls at it becomes less.
 std::vector<Pull> PullsOf(const SurfacePlaces& surface, const std::vector<ContourSample>& samples,
   const FairFitOptions& options, Monitor& monitor);
 
@@ -45,10 +48,10 @@ std::vector<Pull> PullsOf(const SurfacePlaces& surface, const std::vector<Contou
  * surface that is looked for than terraces are; with pulls at the places that are nearest by then, so
  * that the surface may slide along itself; and with more weight where it is farther than the tolerance.
  *
- * @param scale see FairSystem @returns places of the mesh's points @throws Error, Aborted
+ * @returns places of the mesh's points @throws Error, Aborted
  */
-std::vector<Point3> SolveWithin(const TriangleMesh& mesh, std::vector<Pull>& pulls, double scale,
-  double tension, const FairFitOptions& options, Monitor& monitor);
+std::vector<Point3> SolveWithin(const TriangleMesh& mesh, std::vector<Pull>& pulls, double tension,
+  const FairFitOptions& options, Monitor& monitor);
 
 /**
  * Moves the corners of the triangles that vertices among the samples are farther away from than the

@@ -9,6 +9,7 @@
 #include "Fair/EvenPasses.h"
 #include "Fair/FairFit.h"
 #include "Fair/StaircaseStep.h"
+#include "Fair/TracedRaster.h"
 #include "Fair/UncrossedMove.h"
 #include "Polyhedral/PolyhedralSurface.h"
 
@@ -33,6 +34,11 @@ constexpr double AutomaticTension = 0.1;
 /// Of the slices' distance, how far from the rim of a flat end the polyhedral surface's bend is kept: all
 /// of it up to the half of this, then less.
 constexpr double EndReach = 1.5;
+/// Of the pitch of the raster that contours were traced on: edges are no shorter, as what is smaller
+/// was not drawn.
+constexpr double RasterEdgePart = 0.8;
+/// How far the surface may be from contours that were traced on a raster, of what they are unsteady by.
+constexpr double UnsteadyTolerance = 2.5;
 /// Of pulls: drawn contours are followed, the staircase of pixels is evened out.
 constexpr double DrawnWeight = 1e4;
 constexpr double StaircaseWeight = 30;
@@ -60,7 +66,8 @@ public:
       Observer(monitor),
       Silent(monitor),
       Spacing(contours.Spacing()),
-      Step(StaircaseStep(contours))
+      Step(StaircaseStep(contours)),
+      Raster(FindTracedRaster(contours))
   {
   }
 
@@ -121,14 +128,21 @@ private:
   {
     this->Result.EdgeLength = this->Options.EdgeLength > 0
       ? this->Options.EdgeLength
-      : AutomaticEdgeLength(this->Polyhedral.Mesh, this->Spacing);
+      : std::max(AutomaticEdgeLength(this->Polyhedral.Mesh, this->Spacing),
+          RasterEdgePart * this->Raster.Pitch);
+    const double ofStaircase = StaircaseTolerance * this->Step;
+    const double ofRaster = UnsteadyTolerance * this->Raster.Unsteadiness;
+    const double ofDrawn = TolerancePart * this->Spacing;
+    const bool isUneven = this->Step > 0 || ofRaster > ofDrawn;
     this->Result.Tolerance = this->Options.Tolerance >= 0 ? this->Options.Tolerance
-      : this->Step > 0                                    ? StaircaseTolerance * this->Step
-                                                          : TolerancePart * this->Spacing;
+      : this->Step > 0                                    ? ofStaircase
+                                                          : std::max(ofDrawn, ofRaster);
     this->Result.Tension = this->Options.Tension >= 0 ? this->Options.Tension : AutomaticTension;
     this->Fit.Tolerance = this->Result.Tolerance;
     this->Fit.EdgeLength = this->Result.EdgeLength;
-    this->Fit.Weight = this->Step > 0 && this->Result.Tolerance > 0 ? StaircaseWeight : DrawnWeight;
+    this->Fit.Weight = isUneven && this->Result.Tolerance > 0 ? StaircaseWeight : DrawnWeight;
+    this->Fit.MostWeight = DrawnWeight;
+    this->Fit.Scale = this->Spacing;
     this->Fit.Threads = this->Options.Threads;
   }
 
@@ -194,7 +208,7 @@ private:
     const SurfacePlaces places(this->Even.Mesh);
     std::vector<Pull> pulls = PullsOf(places, this->Samples, this->Fit, this->Silent);
     const std::vector<Point3> moved =
-      SolveWithin(this->Even.Mesh, pulls, this->Spacing, this->Result.Tension, this->Fit, part);
+      SolveWithin(this->Even.Mesh, pulls, this->Result.Tension, this->Fit, part);
     UncrossedMove made =
       MoveUncrossed(this->Even.Mesh, moved, 0, this->Options.Threads, this->Silent);
     this->Result.HeldBack = made.HeldBack;
@@ -248,7 +262,8 @@ private:
   Monitor& Observer;
   AbortMonitor Silent;
   double Spacing;
-  double Step; ///< of a staircase; 0: contours were drawn
+  double Step; ///< of a staircase; 0: contours do not follow pixels
+  TracedRaster Raster;
   PolyhedralSurface Polyhedral;
   EvenMesh Even;
   std::vector<ContourSample> Samples;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Fair/ContourSamples.h"
 
+#include "Base/Angles.h"
+
 #include "Core/Polyhedral/PolyhedralShapes.h"
 
 #include <gtest/gtest.h>
@@ -64,4 +66,13 @@ TEST(ContourSamples, PassOverWhatIsNotInTheSurface)
 {
   const ContourSet contours = TwoSquares();
   EXPECT_TRUE(SampleContours(contours, TriangleMesh(), 1).empty());
+}
+
+TEST(ContourSamples, KnowHowLongTheirContourIs)
+{
+  const ContourSet contours = TwoSquares();
+  for (const ContourSample& sample : SampleContours(contours, AllPoints(contours), 1))
+  {
+    EXPECT_NEAR(2 * Pi * sample.Radius, 12, 1e-12);
+  }
 }

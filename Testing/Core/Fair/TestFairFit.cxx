@@ -16,7 +16,7 @@ std::vector<ContourSample> Around(const TriangleMesh& sphere, double radius)
   std::vector<ContourSample> samples;
   for (std::size_t p = 1; p < sphere.Points.size(); p += 3)
   {
-    samples.push_back({ radius * sphere.Points[p], sphere.Points[p], 0.1, 0, true });
+    samples.push_back({ radius * sphere.Points[p], sphere.Points[p], 0.1, 0, true, radius });
   }
   return samples;
 }
@@ -51,7 +51,7 @@ TEST(FairFit, MoreWeightBringsTheSurfaceWithinTheTolerance)
   std::vector<Pull> pulls = PullsOf(SurfacePlaces(sphere), samples, options, monitor);
   ASSERT_EQ(pulls.size(), samples.size());
   TriangleMesh moved = sphere;
-  moved.Points = SolveWithin(sphere, pulls, 1, 0.1, options, monitor);
+  moved.Points = SolveWithin(sphere, pulls, 0.1, options, monitor);
   EXPECT_EQ(MeasureMisfit(moved, samples, options.Tolerance, 1, monitor).Beyond, 0u);
 }
 
@@ -62,4 +62,22 @@ TEST(FairFit, PullsWithinTheTolerance)
   Monitor monitor;
   const TriangleMesh pulled = PullWithin(sphere, samples, Options(0.005), monitor);
   EXPECT_EQ(MeasureMisfit(pulled, samples, 0.005, 1, monitor).Beyond, 0u);
+}
+
+TEST(FairFit, SmallContoursPullMore)
+{
+  const TriangleMesh sphere = MakeSphere(24, 12);
+  FairFitOptions options = Options(0.02);
+  Monitor monitor;
+  const auto weightAt = [&](double scale, double most)
+  {
+    options.Scale = scale;
+    options.MostWeight = most;
+    return PullsOf(SurfacePlaces(sphere), Around(sphere, 1), options, monitor).front().Weight;
+  };
+  const double usual = weightAt(1, 1e9);
+  EXPECT_NEAR(usual, 100 * 0.1, 1e-9);
+  EXPECT_NEAR(weightAt(2, 1e9), 8 * usual, 1e-9);
+  EXPECT_NEAR(weightAt(2, 300), 3 * usual, 1e-9);
+  EXPECT_NEAR(weightAt(0.5, 1), usual, 1e-9);
 }

@@ -3,8 +3,10 @@
 
 #include "Core/Mesh/MeshInvariants.h"
 #include "Core/Polyhedral/PolyhedralShapes.h"
+#include "Fair/TracedRaster.h"
 #include "Mesh/MassProperties.h"
 #include "Mesh/MeshTopology.h"
+#include "TracedShapes.h"
 
 #include <gtest/gtest.h>
 
@@ -119,6 +121,51 @@ TEST(FairSurface, EvensOutPixels)
   Monitor monitor;
   const PolyhedralSurface stairs = BuildPolyhedralSurface(discs, Usual().Polyhedral, monitor);
   EXPECT_LT(AreaOf(fair.Mesh), AreaOf(stairs.Mesh));
+}
+
+TEST(FairSurface, EvensOutATracedRaster)
+{
+  // A tube traced on a nearly binary image: what is off differs from slice to slice.
+  RingStack levels;
+  for (unsigned slice = 0; slice < 6; ++slice)
+  {
+    levels.push_back({ Traced(20.3, 2, 0.3, slice) });
+  }
+  const ContourSet tube = BuildStack(levels, 3);
+  const FairSurface fair = Build(tube, Usual());
+  ExpectSoundSurface(fair.Mesh);
+  const TracedRaster raster = FindTracedRaster(tube);
+  EXPECT_NEAR(raster.Pitch, 2, 0.05);
+  EXPECT_GT(raster.Unsteadiness, 0.1);
+  EXPECT_NEAR(fair.Tolerance, 2.5 * raster.Unsteadiness, 1e-12);
+  EXPECT_GE(fair.EdgeLength, 0.8 * raster.Pitch);
+  EXPECT_LE(fair.Farthest, fair.Tolerance);
+  Monitor monitor;
+  const PolyhedralSurface rough = BuildPolyhedralSurface(tube, Usual().Polyhedral, monitor);
+  const auto roughness = [](const TriangleMesh& mesh)
+  {
+    double sum = 0;
+    double count = 0;
+    for (const Point3& p : mesh.Points)
+    {
+      const bool isSide = p[2] > 2 && p[2] < 13;
+      sum += isSide ? std::abs(std::hypot(p[0], p[1]) - 20.3) : 0;
+      count += isSide ? 1 : 0;
+    }
+    return sum / count;
+  };
+  EXPECT_LT(roughness(fair.Mesh), 0.7 * roughness(rough.Mesh));
+}
+
+TEST(FairSurface, KeepsAThinHoleWithinTheTolerance)
+{
+  // Much thinner than slices are apart, and of few triangles: bending is stiff there.
+  RingStack levels;
+  for (int slice = 0; slice < 4; ++slice)
+  {
+    levels.push_back({ Traced(20.3, 2, 0.3, slice), RegularPolygon(5, 0.8, 0, { 3, 2 }) });
+  }
+  ExpectSoundAndAsPolyhedral(BuildStack(levels, 3), Usual());
 }
 
 TEST(FairSurface, PropertiesAreTaken)
