@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Mesh/PinchGap.h"
 
+#include "Base/DisjointSets.h"
 #include "Base/Median.h"
+#include "Mesh/MassProperties.h"
 #include "Mesh/TriangleMeasures.h"
 #include "Mesh/TrianglePair.h"
 #include "Mesh/TriangleTree.h"
@@ -43,6 +45,7 @@ public:
     if (this->Result.Places > 0)
     {
       this->FindFans();
+      this->FindPieces();
       this->ChooseMoves();
       this->MoveWithoutCrossing();
       this->CountWhatIsLeft();
@@ -112,6 +115,28 @@ private:
         }
       }
     }
+  }
+
+  /// What is connected by index, and how much it holds before anything moves.
+  void FindPieces()
+  {
+    DisjointSets sets(this->Mesh.Points.size());
+    for (const auto& corners : this->Mesh.Triangles)
+    {
+      sets.Join(corners[0], corners[1]);
+      sets.Join(corners[0], corners[2]);
+    }
+    std::vector<int> numberOf(this->Mesh.Points.size(), -1);
+    for (const auto& corners : this->Mesh.Triangles)
+    {
+      int& number = numberOf[sets.Find(corners[0])];
+      if (number < 0)
+      {
+        number = this->Pieces++;
+      }
+      this->PieceOf.push_back(number);
+    }
+    this->Volumes = ComputeSignedVolumes(this->Mesh, this->PieceOf, this->Pieces);
   }
 
   /// Normals of a fan's faces, turned so that they look away from the axis of its cone: out of the
@@ -289,7 +314,8 @@ private:
     while (!toLookAt.empty())
     {
       this->Observer.Update(0.97, "parting sheets that touch");
-      const std::vector<int> wrong = this->MovesThatCross(tree, toLookAt);
+      std::vector<int> wrong = this->MovesThatCross(tree, toLookAt);
+      this->AddMovesThatTurn(toLookAt, wrong);
       toLookAt.clear();
       for (int m : wrong)
       {
@@ -352,6 +378,47 @@ private:
     return wrong;
   }
 
+  /// Of what held nothing nobody can tell.
+  static bool IsTurned(double before, double after)
+  {
+    return (before > 0 && !(after > 0)) || (before < 0 && !(after < 0));
+  }
+
+  /// A piece thinner than the moves may be turned inside out without any two triangles crossing in the end: then all moves of
+  /// its points are wrong as well.
+  void AddMovesThatTurn(const std::vector<int>& triangles, std::vector<int>& wrong) const
+  {
+    std::vector<char> isLookedAt(this->Volumes.size(), 0);
+    for (const int t : triangles)
+    {
+      isLookedAt[this->PieceOf[t]] = 1;
+    }
+    std::vector<int> pieceOf = this->PieceOf;
+    for (int& piece : pieceOf)
+    {
+      piece = isLookedAt[piece] ? piece : -1;
+    }
+    const std::vector<double> volumes = ComputeSignedVolumes(this->Mesh, pieceOf, this->Pieces);
+    for (std::size_t t = 0; t < pieceOf.size(); ++t)
+    {
+      const int piece = pieceOf[t];
+      if (piece < 0 || !IsTurned(this->Volumes[piece], volumes[piece]))
+      {
+        continue;
+      }
+      for (const int p : this->Mesh.Triangles[t])
+      {
+        const int m = this->MoveOf[p];
+        if (m >= 0 && this->Moves[m].IsMade())
+        {
+          wrong.push_back(m);
+        }
+      }
+    }
+    std::sort(wrong.begin(), wrong.end());
+    wrong.erase(std::unique(wrong.begin(), wrong.end()), wrong.end());
+  }
+
   void CountWhatIsLeft()
   {
     for (std::vector<int>& place : this->Places)
@@ -377,6 +444,9 @@ private:
   std::vector<Move> Moves;
   std::vector<Move> Stays; ///< by place the point that stays, and how it could go
   std::vector<int> MoveOf; ///< of a point, or -1
+  int Pieces = 0;
+  std::vector<int> PieceOf;    ///< of a triangle
+  std::vector<double> Volumes; ///< of the pieces, before any move
 };
 }
 

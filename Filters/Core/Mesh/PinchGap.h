@@ -34,7 +34,7 @@ struct PinchGapResult
  * Move points so that no place has more than one, never through another sheet.
  *
  * One point of every place stays where it is. A move is judged by exact predicates; one that would
- * make triangles cross, overlap or touch is tried the other way round, in other directions and at a
+ * make triangles cross, overlap or touch, or turn a thin piece inside out, is tried the other way round, in other directions and at a
  * half, a quarter and an eighth, and then not made.
  *
  * @param mesh closed, oriented outward and manifold by its indices; triangles do not cross

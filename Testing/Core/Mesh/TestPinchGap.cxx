@@ -2,6 +2,7 @@
 // Sheets that touch in points and edges, drawn apart.
 #include "Core/Polyhedral/PolyhedralShapes.h"
 #include "Core/Polyhedral/SurfaceInvariants.h"
+#include "Mesh/MeshTopology.h"
 #include "Mesh/PinchGap.h"
 
 #include <gtest/gtest.h>
@@ -116,6 +117,28 @@ TEST(PinchGap, MovesNoFurtherThanTheGap)
   }
   EXPECT_EQ(moved, 1);
   EXPECT_EQ(mesh.Triangles, before.Triangles);
+}
+
+TEST(PinchGap, DoesNotTurnAThinPieceInsideOut)
+{
+  // A flat piece each of whose corners is the tip of a needle, too; needles have less room, and stay.
+  const std::array<Point3, 4> flat{ Point3{ 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 },
+    { 0.3, 0.3, 1e-4 } };
+  const std::array<Vector3, 4> away{ Vector3{ -1, -1, -1 }, { 1, -1, -1 }, { -1, 1, -1 },
+    { 0, 0, 1 } };
+  TriangleMesh mesh;
+  AddTetrahedron(mesh, flat);
+  for (std::size_t i = 0; i < 4; ++i)
+  {
+    const Point3 end = flat[i] + away[i];
+    AddTetrahedron(
+      mesh, { flat[i], end, end + Vector3{ 1e-6, 0, 0 }, end + Vector3{ 0, 1e-6, 0 } });
+  }
+  ASSERT_TRUE(CheckTopology(mesh).Total.Outward);
+  Monitor monitor;
+  EXPECT_EQ(OpenPinches(mesh, 0.01, { 0, 0, 0 }, monitor).Places, 4u);
+  EXPECT_TRUE(CheckTopology(mesh).Total.Outward);
+  ExpectNoSelfIntersections(mesh);
 }
 
 TEST(PinchGap, LeavesWhatTouchesNowhere)
