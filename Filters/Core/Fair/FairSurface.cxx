@@ -30,6 +30,8 @@ constexpr double TolerancePart = 0.05;
 /// become longer rather than triangles more than the second, as memory and time grow faster than these.
 constexpr double FewTriangles = 25000;
 constexpr double MostTriangles = 150000;
+/// More are refused: twenty times what automatic lengths come to, and the end of what an edge length can ask for.
+constexpr double MostTrianglesAtAll = 3e6;
 constexpr double AutomaticTension = 0.1;
 /// Of the slices' distance, how far from the rim of a flat end the polyhedral surface's bend is kept: all
 /// of it up to the half of this, then less.
@@ -54,6 +56,34 @@ double AreaOf(const TriangleMesh& mesh)
       Norm(Cross(mesh.Points[t[1]] - mesh.Points[t[0]], mesh.Points[t[2]] - mesh.Points[t[0]]));
   }
   return area;
+}
+
+/// About how many triangles with such edges take the place of the given ones: equilateral ones of the
+/// same area, and at least as many along a needle as its sides have edges.
+double TrianglesOf(const TriangleMesh& mesh, double edgeLength)
+{
+  double along = 0;
+  for (const auto& t : mesh.Triangles)
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      // A side is two triangles'.
+      along += 0.5 * Norm(mesh.Points[t[(k + 1) % 3]] - mesh.Points[t[k]]) / edgeLength;
+    }
+  }
+  return along + AreaOf(mesh) * 4 / (std::sqrt(3.0) * edgeLength * edgeLength);
+}
+
+/// @throws Error where that would be more than there may be
+void CheckTriangles(const TriangleMesh& mesh, double edgeLength)
+{
+  const double wanted = TrianglesOf(mesh, edgeLength);
+  if (!(wanted <= MostTrianglesAtAll))
+  {
+    throw Error("Edges of " + Text(edgeLength) + " would make about " + Text(wanted) +
+      " triangles, more than the " + Text(MostTrianglesAtAll) +
+      " allowed: choose a larger Edge Length.");
+  }
 }
 
 /// From contours to a surface, step by step.
@@ -130,6 +160,7 @@ private:
       ? this->Options.EdgeLength
       : std::max(AutomaticEdgeLength(this->Polyhedral.Mesh, this->Spacing),
           RasterEdgePart * this->Raster.Pitch);
+    CheckTriangles(this->Polyhedral.Mesh, this->Result.EdgeLength);
     const double ofStaircase = StaircaseTolerance * this->Step;
     const double ofRaster = UnsteadyTolerance * this->Raster.Unsteadiness;
     const double ofDrawn = TolerancePart * this->Spacing;

@@ -215,6 +215,24 @@ TEST(FairSurface, OneSliceIsAnError)
   EXPECT_THROW(Build(BuildStack({ { RegularPolygon(9, 1) } }), Usual()), Error);
 }
 
+TEST(FairSurface, AnEdgeLengthThatAsksForTooManyTrianglesIsAnError)
+{
+  for (const double length : { 1e-2, 1e-9, 1e-300 })
+  {
+    FairOptions options = Usual();
+    options.EdgeLength = length;
+    try
+    {
+      Build(Ball(10, 12), options);
+      FAIL() << "edges of " << length;
+    }
+    catch (const Error& error)
+    {
+      EXPECT_NE(std::string(error.what()).find("choose a larger Edge Length"), std::string::npos);
+    }
+  }
+}
+
 TEST(FairSurface, AFlatEndKeepsItsRimAndDoesNotFlare)
 {
   // A tube: as wide between its slices as on them, and its ends are discs.
