@@ -4,6 +4,9 @@
 #include "Polyhedral/DelaunayEdges.h"
 #include "Polyhedral/VertexRegions.h"
 
+#include <array>
+#include <vector>
+
 namespace recon
 {
 namespace
@@ -30,9 +33,12 @@ public:
     {
       t.Reason = t.Node == SlabTetrahedra::T12 ? this->ReasonOfT12(t) : this->ReasonOfBase(t);
     }
-    while (this->DropLooseT12() || this->DropLooseBases())
+    this->FindSolidWays();
+    this->DropLooseT12();
+    while (this->DropLooseBases())
     {
       // Either may take the support from what the other has kept.
+      this->DropLooseT12();
     }
   }
 
@@ -82,66 +88,104 @@ private:
     return i >= 0 && this->Slab.Tetrahedra[i].Reason == SlabTetrahedra::Kept;
   }
 
+  /// The T12 across a face of a tetrahedron, through a gap as well, or -1 where what is there is none or
+  /// not kept.
+  int KeptT12Across(int neighbour) const
+  {
+    const int i = SlabTetrahedra::Beyond(neighbour); // all of a gap is kept
+    return this->IsKept(i) && this->Slab.Tetrahedra[i].Node == SlabTetrahedra::T12 ? i : -1;
+  }
+
+  /// The face of a T12 through which it is seen from i: one of a pair along a Voronoi edge of a level.
+  int FaceTowards(int t12, int i) const
+  {
+    const auto& neighbours = this->Slab.Tetrahedra[t12].Neighbours;
+    int k = 0;
+    while (k < 3 && SlabTetrahedra::Beyond(neighbours[k]) != i)
+    {
+      ++k;
+    }
+    return k;
+  }
+
+  /// The other face along the same Voronoi edge: 0 and 1 lead along one of level 2, 2 and 3 along one
+  /// of level 1.
+  static int OtherFace(int k) { return k ^ 1; }
+
+  /// Along every Voronoi edge from the kept bases at its ends, as far as T12 are kept.
+  void FindSolidWays()
+  {
+    this->LeadsToSolid.assign(this->Slab.Tetrahedra.size(), { { 0, 0, 0, 0 } });
+    const int bases = this->Slab.NumberOfT1 + this->Slab.NumberOfT2;
+    for (int base = 0; base < bases; ++base)
+    {
+      for (int k = 0; k < 3 && this->IsKept(base); ++k)
+      {
+        this->MarkWay(base, this->Slab.Tetrahedra[base].Neighbours[k], 1);
+      }
+    }
+    for (std::size_t i = 0; i < this->Slab.Tetrahedra.size(); ++i)
+    {
+      this->DropIfLoose(static_cast<int>(i));
+    }
+  }
+
+  /// What is reached from i across a face, on along the Voronoi edge: whether it has solid behind it.
+  void MarkWay(int i, int neighbour, unsigned char solid)
+  {
+    int from = i;
+    for (int t = this->KeptT12Across(neighbour); t >= 0;)
+    {
+      const int k = this->FaceTowards(t, from);
+      if (this->LeadsToSolid[t][k] == solid)
+      {
+        return;
+      }
+      this->LeadsToSolid[t][k] = solid;
+      this->Changed.push_back(t);
+      from = t;
+      t = this->KeptT12Across(this->Slab.Tetrahedra[t].Neighbours[OtherFace(k)]);
+    }
+  }
+
   /**
    * Thesis 6.4: a T12 stays where it is solid on level 1 and on level 2 at the same time.
    *
    * Solid on a level means that along its Voronoi edge of that level kept T12 lead to a kept base
-   * of it.
+   * of it. Each way ends at most once, so this takes as long as there are tetrahedra.
    */
-  bool DropLooseT12()
+  void DropLooseT12()
   {
-    const std::vector<unsigned char> solid1 = this->SolidOn(SlabTetrahedra::T1, { 2, 3 });
-    const std::vector<unsigned char> solid2 = this->SolidOn(SlabTetrahedra::T2, { 0, 1 });
-    bool dropped = false;
-    for (std::size_t i = 0; i < this->Slab.Tetrahedra.size(); ++i)
+    while (!this->Changed.empty() || !this->Dropped.empty())
     {
-      Tetrahedron& t = this->Slab.Tetrahedra[i];
-      if (t.Node == SlabTetrahedra::T12 && t.Reason == SlabTetrahedra::Kept &&
-        !(solid1[i] && solid2[i]))
+      while (!this->Changed.empty())
       {
-        t.Reason = SlabTetrahedra::NonSolidConnection;
-        dropped = true;
+        const int i = this->Changed.back();
+        this->Changed.pop_back();
+        this->DropIfLoose(i);
       }
-    }
-    return dropped;
-  }
-
-  /// Flood from the kept bases of a level through the faces that run along its Voronoi edges.
-  std::vector<unsigned char> SolidOn(
-    SlabTetrahedra::NodeType base, const std::array<int, 2>& faces) const
-  {
-    std::vector<unsigned char> reached(this->Slab.Tetrahedra.size(), 0);
-    std::vector<int> stack;
-    const auto visit = [&](int neighbour)
-    {
-      const int i = SlabTetrahedra::Beyond(neighbour); // all of a gap is kept
-      if (this->IsKept(i) && !reached[i] && this->Slab.Tetrahedra[i].Node == SlabTetrahedra::T12)
+      if (!this->Dropped.empty())
       {
-        reached[i] = 1;
-        stack.push_back(i);
-      }
-    };
-    const int begin = base == SlabTetrahedra::T1 ? 0 : this->Slab.NumberOfT1;
-    const int end =
-      begin + (base == SlabTetrahedra::T1 ? this->Slab.NumberOfT1 : this->Slab.NumberOfT2);
-    for (int i = begin; i < end; ++i)
-    {
-      if (this->IsKept(i))
-      {
-        for (int k = 0; k < 3; ++k)
+        const int i = this->Dropped.back();
+        this->Dropped.pop_back();
+        for (int neighbour : this->Slab.Tetrahedra[i].Neighbours)
         {
-          visit(this->Slab.Tetrahedra[i].Neighbours[k]);
+          this->MarkWay(i, neighbour, 0);
         }
       }
     }
-    while (!stack.empty())
+  }
+
+  void DropIfLoose(int i)
+  {
+    const std::array<unsigned char, 4>& leads = this->LeadsToSolid[i];
+    Tetrahedron& t = this->Slab.Tetrahedra[i];
+    if (t.Node == SlabTetrahedra::T12 && t.Reason == SlabTetrahedra::Kept &&
+      !((leads[0] || leads[1]) && (leads[2] || leads[3])))
     {
-      const Tetrahedron& t = this->Slab.Tetrahedra[stack.back()];
-      stack.pop_back();
-      visit(t.Neighbours[faces[0]]);
-      visit(t.Neighbours[faces[1]]);
+      t.Reason = SlabTetrahedra::NonSolidConnection;
+      this->Dropped.push_back(i);
     }
-    return reached;
   }
 
   /// Thesis 5.5: connected T1 (or T2) nodes without a kept T12 touch the other level in one point.
@@ -181,6 +225,7 @@ private:
       if (this->IsKept(i) && !supported[i])
       {
         this->Slab.Tetrahedra[i].Reason = SlabTetrahedra::NonSolidConnection;
+        this->Dropped.push_back(i);
         dropped = true;
       }
     }
@@ -193,6 +238,10 @@ private:
   SlabTetrahedra& Slab;
   VertexRegions Regions1;
   VertexRegions Regions2;
+  /// Of a T12 and a face, whether kept T12 lead to a kept base on that side.
+  std::vector<std::array<unsigned char, 4>> LeadsToSolid;
+  std::vector<int> Changed; ///< T12 to be looked at
+  std::vector<int> Dropped; ///< whose neighbours do not know it yet
 };
 }
 

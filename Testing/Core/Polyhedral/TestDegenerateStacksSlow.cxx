@@ -40,3 +40,9 @@ TEST(DegenerateStacks, NeedlesBesideNeedles)
 {
   ExpectSoundDegenerateStack(1433);
 }
+
+// Rows of tetrahedra that lose their hold one after the other took a look at all of them each.
+TEST(DegenerateStacks, RowsThatComeLooseOneByOne)
+{
+  ExpectSoundDegenerateStack(6981);
+}
