@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace recon
@@ -338,6 +339,48 @@ bool ArePartedAtEdge(const SharedCorners& corners)
 }
 }
 
+namespace
+{
+/// Values of corners along a direction, beyond doubt between Low and High.
+struct Extent
+{
+  static constexpr double Infinity = std::numeric_limits<double>::infinity();
+  double Low = Infinity;
+  double High = -Infinity;
+
+  Extent(const Corners& corners, const Point3& from, const Vector3& n)
+  {
+    for (const Point3* p : corners)
+    {
+      const Vector3 v = *p - from;
+      const double value = Dot(n, v);
+      const double error =
+        1e-14 * (std::fabs(n[0] * v[0]) + std::fabs(n[1] * v[1]) + std::fabs(n[2] * v[2])) + 1e-280;
+      // What overflows may be anywhere.
+      const bool isKnown = value - error <= value + error;
+      this->Low = isKnown ? std::min(this->Low, value - error) : -Infinity;
+      this->High = isKnown ? std::max(this->High, value + error) : Infinity;
+    }
+  }
+};
+
+/// A plane along an edge of the first and across its own plane is clearly between the triangles.
+bool ArePartedAtEdgeOf(const Corners& first, const Corners& second)
+{
+  const Vector3 normal = Cross(*first[1] - *first[0], *first[2] - *first[0]);
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const Point3& from = *first[k];
+    const Vector3 outward = Cross(*first[(k + 1) % 3] - from, normal);
+    if (Extent(first, from, outward).High < Extent(second, from, outward).Low)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+}
+
 PairRelation RelateTriangles(const TriangleMesh& mesh, int s, int t)
 {
   const SharedCorners corners = FindSharedCorners(mesh, s, t);
@@ -349,6 +392,10 @@ PairRelation RelateTriangles(const TriangleMesh& mesh, int s, int t)
   }
   const Corners a = CornersOf(mesh, s);
   const Corners b = CornersOf(mesh, t);
+  if (shared == 0 && (ArePartedAtEdgeOf(a, b) || ArePartedAtEdgeOf(b, a)))
+  {
+    return PairRelation::Clean;
+  }
   // In different planes, triangles with two common corners meet in that edge only.
   if (shared == 2 && Orientation3(*a[0], *a[1], *a[2], *corners.OfT[2]) != 0)
   {
