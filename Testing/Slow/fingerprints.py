@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Tell whether two builds make the same surfaces, to the last bit.
 
-    CONTOUR_PLUGIN=.../ContourReconstruction.so pvpython fingerprints.py write OUT.json [--only TEXT] [--method psm|ism]
+    CONTOUR_PLUGIN=.../ContourReconstruction.so pvpython fingerprints.py write OUT.json [--only TEXT] [--method psm|fair|ism]
         [--set PROPERTY=VALUE ...] [--keep FOLDER]
     python3 fingerprints.py compare OLD.json NEW.json
     pvpython fingerprints.py compare OLD.json NEW.json --kept OLD_FOLDER NEW_FOLDER
@@ -176,7 +176,7 @@ def main():
     writing = commands.add_parser("write")
     writing.add_argument("out")
     writing.add_argument("--only", default="", help="files whose name has this in it")
-    writing.add_argument("--method", action="append", choices=["psm", "ism"])
+    writing.add_argument("--method", action="append", choices=["psm", "fair", "ism"])
     writing.add_argument("--set", action="append", default=[], metavar="PROPERTY=VALUE",
                          help="a property of the node, where it has it: to tell a default from a method")
     writing.add_argument("--keep", metavar="FOLDER", help="write the surfaces there, too")

@@ -2,13 +2,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The user's test of the Debian package: built here by `./run package`, judged by lintian, installed in a fresh root
 # filesystem of this release, used as the documentation says, and removed, after which nothing of it is left.
-# Usage: package.sh [SOURCE_DIR [PACKAGE.deb]]; without PACKAGE.deb it is built first.
+# Usage: package.sh [SOURCE_DIR [PACKAGE.deb [SUITE]]]; without PACKAGE.deb it is built first, for this machine's release;
+# SUITE is the release that another one was built for.
 # Exit code 77 (skipped) where this machine cannot do it: not root, no debootstrap, no lintian, no Debian mirror set up.
 set -euo pipefail
 
 here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
 source_dir="${1:-$(cd "$here/../.." && pwd)}"
-suite="$(. /etc/os-release && printf '%s' "${VERSION_CODENAME:-}")"
+suite="${3:-$(. /etc/os-release && printf '%s' "${VERSION_CODENAME:-}")}"
 work_dir="$(mktemp -d -t fresh-debian.XXXXXX)"
 # shellcheck source=debian-root.sh
 source "$here/debian-root.sh"
