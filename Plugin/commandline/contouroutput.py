@@ -8,6 +8,7 @@ from paraview import simple
 
 from contourcommon import CommandError, Watched, as_source, detached, new_node, note, run_proxy, uninterrupted
 from contouroptions import SURFACE_FORMATS
+from contourreplaced import replaced
 
 SINGLE_PRECISION = (".stl",)
 LONGEST_NAME = 100   # characters of a region's name in a file's
@@ -146,7 +147,6 @@ def write_surface(path, result, offset=None):
     folder = os.path.dirname(os.path.abspath(path))
     if not os.path.isdir(folder):
         raise CommandError(f"There is no folder {folder} to write {os.path.basename(path)} to.")
-    part = os.path.join(folder, f".{os.path.basename(path)}.part{extension}")
     start = time.perf_counter()
     taken = offset_of(result.surface, offset)
     surface, contours = moved(result.surface, taken), moved(result.contours.data, taken)
@@ -156,15 +156,12 @@ def write_surface(path, result, offset=None):
         warn_of_precision(path, surface)
     with uninterrupted():
         try:
-            _write(part, extension, surface, contours)
-            if not os.path.exists(part) or os.path.getsize(part) == 0:
-                raise CommandError(f"{path} could not be written: is the disk full, or the folder write-protected?")
-            os.replace(part, path)
+            with replaced(path) as part:
+                _write(part, extension, surface, contours)
+                if not os.path.exists(part) or os.path.getsize(part) == 0:
+                    raise CommandError(f"{path} could not be written: is the disk full, or the folder write-protected?")
         except OSError as error:
             raise CommandError(f"{path} could not be written: {error.strerror}.")
-        finally:
-            if os.path.exists(part):
-                os.remove(part)
     return time.perf_counter() - start
 
 
@@ -196,6 +193,27 @@ def _write_ply(path, surface):
         file.write(faces.tobytes())
 
 
+def _run_writer(writer, path):
+    with Watched(writer) as watched:
+        writer.Write()
+        watched.check()
+    if writer.GetErrorCode():
+        raise CommandError(f"{os.path.basename(path)} could not be written (VTK error code {writer.GetErrorCode()}).")
+
+
+def _write_vtp(path, surface):
+    """By way of memory: VTK's writer ends the program on a full disk."""
+    from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
+    writer = vtkXMLPolyDataWriter()
+    writer.SetInputDataObject(surface)
+    # Inline: data appended behind the XML trips VTK's reader with the expat of today's Debian 12.
+    writer.SetDataModeToBinary()
+    writer.WriteToOutputStringOn()
+    _run_writer(writer, path)
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(writer.GetOutputString())
+
+
 def _write(path, extension, surface, contours):
     if extension == ".brep":
         _write_brep(path, surface, contours)
@@ -204,19 +222,11 @@ def _write(path, extension, surface, contours):
         _write_ply(path, surface)
         return
     if extension == ".vtp":
-        from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter as Writer
-    else:
-        from vtkmodules.vtkIOGeometry import vtkSTLWriter as Writer
-    writer = Writer()
+        _write_vtp(path, surface)
+        return
+    from vtkmodules.vtkIOGeometry import vtkSTLWriter
+    writer = vtkSTLWriter()
     writer.SetInputDataObject(surface)
     writer.SetFileName(path)
-    if extension == ".vtp":
-        # Inline: data appended behind the XML trips VTK's reader with the expat of today's Debian 12.
-        writer.SetDataModeToBinary()
-    else:
-        writer.SetFileTypeToBinary()
-    with Watched(writer) as watched:
-        writer.Write()
-        watched.check()
-    if writer.GetErrorCode():
-        raise CommandError(f"{os.path.basename(path)} could not be written (VTK error code {writer.GetErrorCode()}).")
+    writer.SetFileTypeToBinary()
+    _run_writer(writer, path)

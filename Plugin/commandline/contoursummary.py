@@ -5,6 +5,7 @@ import math
 import os
 
 from contouroptions import NO_CERTIFICATE, UsageError
+from contourreplaced import replaced
 from contourtable import format_table, quantity, volume, yes
 
 PRIVATE = ("Certificates", "SettingIsWrong")
@@ -21,12 +22,10 @@ def without_nan(value):
 
 def write_json(path, content):
     """A whole file or none."""
-    part = path + ".part"
     try:
-        with open(part, "w", encoding="utf-8") as file:
+        with replaced(path) as part, open(part, "w", encoding="utf-8") as file:
             json.dump(without_nan(content), file, indent=2, allow_nan=False)
             file.write("\n")
-        os.replace(part, path)
     except OSError as error:
         raise UsageError(f"{path} could not be written: {error.strerror}.")
 
