@@ -3,6 +3,7 @@
 
 #include "Base/Angles.h"
 #include "Base/Parallel.h"
+#include "Base/Predicates.h"
 #include "Mesh/TrianglePair.h"
 
 #include <algorithm>
@@ -200,9 +201,12 @@ bool EvenPasses::Collapse(int u, int v, double cosine)
   const std::vector<int> around = this->Mesh.Around(from);
   const bool look =
     cosine < UsualCosine || this->AnyThin(around) || this->AgreementWanted(around, cosine) < cosine;
+  const int into = from == u ? v : u;
+  const auto way =
+    look ? this->WayOf(around, from, this->Mesh.Points[into]) : std::vector<Tetrahedron>();
   const LinkedMesh::Memory memory = look ? this->Mesh.Remember(around) : LinkedMesh::Memory();
-  this->Mesh.Collapse(from, from == u ? v : u);
-  if (look && this->AnyCrosses(around))
+  this->Mesh.Collapse(from, into);
+  if (look && (this->AnyCrosses(around) || this->AnyPointWithin(way)))
   {
     this->Mesh.PutBack(memory);
     return false;
@@ -280,8 +284,10 @@ bool EvenPasses::FlipIfBetter(int t, int k, double cosine)
   const bool look = wanted < UsualCosine || this->AnyThin({ t, across });
   const LinkedMesh::Memory memory =
     look ? this->Mesh.Remember({ t, across }) : LinkedMesh::Memory();
+  const auto& points = this->Mesh.Points;
+  const Tetrahedron between{ points[a], points[b], points[c], points[d] };
   this->Mesh.Flip(t, k);
-  if (look && this->AnyCrosses({ t, across }))
+  if (look && (this->AnyCrosses({ t, across }) || this->AnyPointWithin({ between })))
   {
     this->Mesh.PutBack(memory);
     return false;
@@ -352,6 +358,55 @@ bool EvenPasses::Crosses(int t)
       }
       const PairRelation relation = RelateTriangles(this->Mesh.Mesh, s, t);
       return relation == PairRelation::Crossing || relation == PairRelation::Overlapping;
+    });
+}
+
+/// What the triangles around a point go through when it goes to another place.
+std::vector<EvenPasses::Tetrahedron> EvenPasses::WayOf(
+  const std::vector<int>& around, int v, const Point3& to) const
+{
+  const auto& points = this->Mesh.Points;
+  std::vector<Tetrahedron> way;
+  for (const int t : around)
+  {
+    const Triangle& corners = this->Mesh.Triangles[t];
+    const int k = this->Mesh.CornerOf(t, v);
+    way.push_back({ to, points[v], points[corners[(k + 1) % 3]], points[corners[(k + 2) % 3]] });
+  }
+  return way;
+}
+
+/// Of the triangles in the grid, which knows the changes. Nothing crosses where a small piece is gone
+/// through as a whole; but then it is within another one.
+bool EvenPasses::AnyPointWithin(const std::vector<Tetrahedron>& way) const
+{
+  return std::any_of(way.begin(), way.end(),
+    [this](const Tetrahedron& corners)
+    {
+      Box3 box;
+      for (const Point3& p : corners)
+      {
+        box.Add(p);
+      }
+      const int turn = Orientation3(corners[0], corners[1], corners[2], corners[3]);
+      const auto isWithin = [&](int v)
+      {
+        bool within = box.Contains(this->Mesh.Points[v]);
+        for (std::size_t k = 0; k < 4 && within; ++k)
+        {
+          Tetrahedron other = corners;
+          other[k] = this->Mesh.Points[v];
+          within = Orientation3(other[0], other[1], other[2], other[3]) == turn;
+        }
+        return within;
+      };
+      return turn != 0 &&
+        this->Grid->AnyNear(box.Low, box.High,
+          [&](int t)
+          {
+            const Triangle& points = this->Mesh.Triangles[t];
+            return this->Mesh.IsAlive(t) && std::any_of(points.begin(), points.end(), isWithin);
+          });
     });
 }
 
@@ -474,6 +529,8 @@ void EvenPasses::Spread()
 void EvenPasses::Place(int v, Point3& place, Vector3& normal)
 {
   const std::vector<int> around = this->Mesh.Around(v);
+  const bool look = this->AnyThin(around);
+  const auto way = look ? this->WayOf(around, v, place) : std::vector<Tetrahedron>();
   const double before = this->QualityOf(around);
   const auto exchange = [&]
   {
@@ -483,7 +540,7 @@ void EvenPasses::Place(int v, Point3& place, Vector3& normal)
   };
   exchange();
   if (!(this->QualityOf(around) > std::min(before, GoodTangent)) ||
-    (this->AnyThin(around) && this->AnyCrosses(around)))
+    (look && (this->AnyCrosses(around) || this->AnyPointWithin(way))))
   {
     exchange();
   }

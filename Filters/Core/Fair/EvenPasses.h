@@ -68,6 +68,9 @@ private:
   bool Crosses(int t);
   bool AnyCrosses(const std::vector<int>& triangles);
   bool Mend(int t, double cosine);
+  using Tetrahedron = std::array<Point3, 4>;
+  std::vector<Tetrahedron> WayOf(const std::vector<int>& around, int v, const Point3& to) const;
+  bool AnyPointWithin(const std::vector<Tetrahedron>& way) const;
 
   std::vector<int> Home; ///< a point: triangle of the surface that it was last put on, -1 before
   const SurfacePlaces& Surface;

@@ -11,11 +11,13 @@
 #include "Fair/StaircaseStep.h"
 #include "Fair/TracedRaster.h"
 #include "Fair/UncrossedMove.h"
+#include "Mesh/TriangleComponents.h"
 #include "Polyhedral/PolyhedralSurface.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 namespace recon
 {
@@ -233,11 +235,40 @@ private:
     }
   }
 
+  /// Pieces of a single slice have nothing that holds them up beside it but their own bend.
+  void KeepFlatPieces(const std::vector<Pull>& pulls)
+  {
+    const TriangleMesh& mesh = this->Even.Mesh;
+    const TriangleComponents pieces = FindTriangleComponents(mesh);
+    const Vector3 up = this->Contours.Levels.front().Frame.Normal;
+    const double most = std::numeric_limits<double>::max();
+    std::vector<std::pair<double, double>> heights(pieces.Count, { most, -most });
+    for (const Pull& pull : pulls)
+    {
+      auto& [low, high] = heights[pieces.Of[pull.From.Triangle]];
+      low = std::min(low, Dot(up, pull.To));
+      high = std::max(high, Dot(up, pull.To));
+    }
+    for (std::size_t t = 0; t < mesh.Triangles.size(); ++t)
+    {
+      const auto& [low, high] = heights[pieces.Of[t]];
+      if (high - low < 0.5 * this->Spacing)
+      {
+        this->Fit.Kept.resize(mesh.Points.size(), 0);
+        for (const int v : mesh.Triangles[t])
+        {
+          this->Fit.Kept[v] = this->Fit.Kept[v] == Crease ? Crease : 1;
+        }
+      }
+    }
+  }
+
   void Fair()
   {
     SubMonitor part(this->Observer, 0.6, 0.85);
     const SurfacePlaces places(this->Even.Mesh);
     std::vector<Pull> pulls = PullsOf(places, this->Samples, this->Fit, this->Silent);
+    this->KeepFlatPieces(pulls);
     const std::vector<Point3> moved =
       SolveWithin(this->Even.Mesh, pulls, this->Result.Tension, this->Fit, part);
     UncrossedMove made =

@@ -2,7 +2,9 @@
 #include "Fair/UncrossedMove.h"
 
 #include "Fair/LinkedMesh.h"
+#include "Fair/TurnedPieces.h"
 #include "Mesh/SelfIntersections.h"
+#include "Mesh/TriangleComponents.h"
 
 #include <algorithm>
 
@@ -37,6 +39,10 @@ public:
     {
       this->Apply(moved.Mesh);
       std::vector<char> bad = this->FindBad(moved.Mesh, changed);
+      if (std::none_of(bad.begin(), bad.end(), [](char b) { return b != 0; }))
+      {
+        bad = this->FindTurned(moved.Mesh);
+      }
       if (std::none_of(bad.begin(), bad.end(), [](char b) { return b != 0; }))
       {
         moved.HeldBack = std::count_if(
@@ -126,6 +132,27 @@ private:
     return bad;
   }
 
+  /// The points of pieces that were well and are turned now, though nothing crosses.
+  std::vector<char> FindTurned(const TriangleMesh& mesh)
+  {
+    if (this->Pieces.Of.empty())
+    {
+      this->Pieces = FindTriangleComponents(this->Given);
+      this->Before = FindTurnedPieces(this->Given, this->Pieces);
+    }
+    const std::vector<char> after = FindTurnedPieces(mesh, this->Pieces);
+    std::vector<char> turned(mesh.Points.size(), 0);
+    for (std::size_t t = 0; t < mesh.Triangles.size(); ++t)
+    {
+      const int piece = this->Pieces.Of[t];
+      for (const int v : mesh.Triangles[t])
+      {
+        turned[v] = after[piece] && !this->Before[piece] && this->Share[v] > 0 ? 1 : turned[v];
+      }
+    }
+    return turned;
+  }
+
   static double AngleIn(const TriangleMesh& mesh, int t)
   {
     const auto& corners = mesh.Triangles[t];
@@ -151,6 +178,8 @@ private:
   int Threads;
   Monitor& Observer;
   std::vector<double> Share; ///< of its way, a point
+  TriangleComponents Pieces; ///< of the given mesh, when they are asked for
+  std::vector<char> Before;  ///< which of them were turned from the beginning
 };
 }
 

@@ -120,3 +120,52 @@ TEST(EvenMesh, KeepsTheCreaseBetweenTwoParts)
   }
   EXPECT_NEAR(area, 1, 1e-9);
 }
+
+TEST(EvenPasses, GoThroughNoSmallPiece)
+{
+  // A twisted sheet whose diagonals all run the wrong way, and between those of one square a piece that
+  // is much smaller: a flip there crosses nothing.
+  const auto diagonalStays = [](bool withPiece)
+  {
+    constexpr int Side = 6;
+    TriangleMesh sheet;
+    for (int j = 0; j < Side; ++j)
+    {
+      for (int i = 0; i < Side; ++i)
+      {
+        sheet.Points.push_back({ i + 0.6 * j, 1.0 * j, 0.2 * i * j });
+      }
+    }
+    for (int j = 0; j + 1 < Side; ++j)
+    {
+      for (int i = 0; i + 1 < Side; ++i)
+      {
+        const int p = Side * j + i;
+        sheet.Triangles.push_back({ p, p + 1, p + Side + 1 });
+        sheet.Triangles.push_back({ p, p + Side + 1, p + Side });
+      }
+    }
+    const int from = 2 * Side + 2;
+    const int to = from + Side + 1;
+    if (withPiece)
+    {
+      TriangleMesh piece = MakeSphere(8, 4);
+      const Point3 middle = 0.25 *
+        ((sheet.Points[from] + sheet.Points[to]) +
+          (sheet.Points[from + 1] + sheet.Points[from + Side]));
+      for (Point3& p : piece.Points)
+      {
+        p = middle + 0.01 * p;
+      }
+      Append(sheet, piece);
+    }
+    Monitor monitor;
+    const SurfacePlaces surface(sheet);
+    EvenPasses passes(sheet, {}, surface, 1, 1, monitor);
+    std::fill(passes.Thin.begin(), passes.Thin.end(), 1);
+    passes.Flip();
+    return passes.Mesh.Find(from, to).first >= 0;
+  };
+  EXPECT_FALSE(diagonalStays(false));
+  EXPECT_TRUE(diagonalStays(true));
+}

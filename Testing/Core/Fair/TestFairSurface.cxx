@@ -6,6 +6,7 @@
 #include "Fair/TracedRaster.h"
 #include "Mesh/MassProperties.h"
 #include "Mesh/MeshTopology.h"
+#include "Mesh/TriangleComponents.h"
 #include "TracedShapes.h"
 
 #include <gtest/gtest.h>
@@ -166,6 +167,26 @@ TEST(FairSurface, KeepsAThinHoleWithinTheTolerance)
     levels.push_back({ Traced(20.3, 2, 0.3, slice), RegularPolygon(5, 0.8, 0, { 3, 2 }) });
   }
   ExpectSoundAndAsPolyhedral(BuildStack(levels, 3), Usual());
+}
+
+TEST(FairSurface, APieceOfASingleSliceKeepsItsVolume)
+{
+  // Nothing on other slices holds it up.
+  RingStack levels(6, { RegularPolygon(60, 5) });
+  levels[3].push_back(RegularPolygon(30, 2, 0, { 12, 0 }));
+  const ContourSet contours = BuildStack(levels);
+  ExpectSoundAndAsPolyhedral(contours, Usual());
+  const auto volumeBeside = [](const TriangleMesh& mesh)
+  {
+    const TriangleComponents pieces = FindTriangleComponents(mesh);
+    const std::vector<double> volumes = ComputeSignedVolumes(mesh, pieces.Of, pieces.Count);
+    EXPECT_EQ(pieces.Count, 2);
+    return *std::min_element(volumes.begin(), volumes.end());
+  };
+  Monitor monitor;
+  const double wanted =
+    volumeBeside(BuildPolyhedralSurface(contours, Usual().Polyhedral, monitor).Mesh);
+  EXPECT_NEAR(volumeBeside(Build(contours, Usual()).Mesh), wanted, 0.1 * wanted);
 }
 
 TEST(FairSurface, PropertiesAreTaken)

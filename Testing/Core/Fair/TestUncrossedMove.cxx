@@ -2,6 +2,7 @@
 #include "Fair/UncrossedMove.h"
 
 #include "Core/Mesh/MeshShapes.h"
+#include "Mesh/MeshTopology.h"
 #include "Mesh/SelfIntersections.h"
 
 #include <gtest/gtest.h>
@@ -51,4 +52,46 @@ TEST(UncrossedMove, LetsNoAngleBecomeSmall)
   Monitor monitor;
   const UncrossedMove moved = MoveUncrossed(sphere, places, 0.05, 1, monitor);
   EXPECT_GT(Norm(moved.Mesh.Points[100] - moved.Mesh.Points[101]), 0.01);
+}
+
+TEST(UncrossedMove, TurnsNoComponentInsideOut)
+{
+  // A small ball through its own middle, beside a large one that moves a little.
+  TriangleMesh balls = MakeSphere(24, 12);
+  TriangleMesh small = MakeSphere(8, 4);
+  const std::size_t first = balls.Points.size();
+  Move(small, { 3, 0, 0 });
+  Append(balls, small);
+  std::vector<Point3> places = balls.Points;
+  for (std::size_t p = 0; p < places.size(); ++p)
+  {
+    places[p] = p < first ? 1.1 * places[p] : Point3{ 3, 0, 0 } - (places[p] - Point3{ 3, 0, 0 });
+  }
+  Monitor monitor;
+  const UncrossedMove moved = MoveUncrossed(balls, places, 0, 1, monitor);
+  EXPECT_TRUE(CheckTopology(moved.Mesh).Total.Outward);
+  EXPECT_EQ(moved.Mesh.Points.front(), places.front());
+  EXPECT_EQ(moved.HeldBack, places.size() - first);
+}
+
+TEST(UncrossedMove, PutsNoComponentIntoAnother)
+{
+  TriangleMesh balls = MakeSphere(24, 12);
+  TriangleMesh small = MakeSphere(8, 4);
+  for (Point3& p : small.Points)
+  {
+    p = 0.1 * p;
+  }
+  Move(small, { 1.3, 0, 0 });
+  const std::size_t first = balls.Points.size();
+  Append(balls, small);
+  std::vector<Point3> places = balls.Points;
+  for (std::size_t p = first; p < places.size(); ++p)
+  {
+    places[p][0] -= 1.3;
+  }
+  Monitor monitor;
+  const UncrossedMove moved = MoveUncrossed(balls, places, 0, 1, monitor);
+  EXPECT_TRUE(CheckTopology(moved.Mesh).Total.Outward);
+  EXPECT_FALSE(FindSelfIntersections(moved.Mesh, monitor).Any());
 }
