@@ -275,7 +275,9 @@ private:
       // One level that cannot be resolved must not take the others down.
       std::vector<int> all(rings.Loops.size());
       std::iota(all.begin(), all.end(), 0);
-      this->NoteLoops(rings, all, std::string("cannot be resolved: ") + error.what());
+      const std::string why = error.what();
+      this->NoteLoops(
+        rings, all, "cannot be resolved: " + why.substr(0, why.find_last_not_of('.') + 1));
       return;
     }
     for (const EvenOddCluster& cluster : result.Clusters)

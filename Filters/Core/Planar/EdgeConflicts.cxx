@@ -34,21 +34,14 @@ public:
 
   EdgeConflicts Find()
   {
-    std::vector<EdgeBox> boxes;
-    boxes.reserve(this->Edges.size());
-    for (std::size_t i = 0; i < this->Edges.size(); ++i)
+    try
     {
-      const Point2& a = this->At(this->Edges[i].A);
-      const Point2& b = this->At(this->Edges[i].B);
-      const double near = this->ToleranceOf(this->Edges[i]);
-      boxes.emplace_back(CGAL::Bbox_2(std::min(a[0], b[0]) - near, std::min(a[1], b[1]) - near,
-                           std::max(a[0], b[0]) + near, std::max(a[1], b[1]) + near),
-        static_cast<int>(i));
-      this->AddTwins(this->Edges[i].A, this->Edges[i].B, static_cast<int>(i), static_cast<int>(i));
+      this->Search();
     }
-    CGAL::box_self_intersection_d(boxes.begin(), boxes.end(),
-      [this](const EdgeBox& x, const EdgeBox& y)
-      { this->Test(std::min(x.info(), y.info()), std::max(x.info(), y.info())); });
+    catch (const EnoughTwins&)
+    {
+      // What else there is shows once these are merged.
+    }
     std::sort(this->Found.Crossings.begin(), this->Found.Crossings.end(),
       [](const auto& x, const auto& y)
       { return std::tie(x.First, x.Second) < std::tie(y.First, y.Second); });
@@ -65,6 +58,30 @@ public:
   }
 
 private:
+  /// So many points near one another that all pairs of them would take time and memory in their square.
+  struct EnoughTwins
+  {
+  };
+
+  void Search()
+  {
+    std::vector<EdgeBox> boxes;
+    boxes.reserve(this->Edges.size());
+    for (std::size_t i = 0; i < this->Edges.size(); ++i)
+    {
+      const Point2& a = this->At(this->Edges[i].A);
+      const Point2& b = this->At(this->Edges[i].B);
+      const double near = this->ToleranceOf(this->Edges[i]);
+      boxes.emplace_back(CGAL::Bbox_2(std::min(a[0], b[0]) - near, std::min(a[1], b[1]) - near,
+                           std::max(a[0], b[0]) + near, std::max(a[1], b[1]) + near),
+        static_cast<int>(i));
+      this->AddTwins(this->Edges[i].A, this->Edges[i].B, static_cast<int>(i), static_cast<int>(i));
+    }
+    CGAL::box_self_intersection_d(boxes.begin(), boxes.end(),
+      [this](const EdgeBox& x, const EdgeBox& y)
+      { this->Test(std::min(x.info(), y.info()), std::max(x.info(), y.info())); });
+  }
+
   const Point2& At(int p) const { return this->Points[p]; }
 
   double ToleranceOf(const PlanarEdge& e) const { return this->Tolerances[e.Tag]; }
@@ -140,6 +157,10 @@ private:
       return false;
     }
     this->Found.SamePlace.push_back({ std::min(p, q), std::max(p, q), i, j });
+    if (this->Found.SamePlace.size() > this->MostCrossings)
+    {
+      throw EnoughTwins();
+    }
     return true;
   }
 

@@ -74,6 +74,8 @@ struct EdgeConflicts
  * Points have distinct coordinates, edges distinct pairs of end points.
  *
  * @param tolerances a number for every tag, in the units of the points; the smaller counts for two
+ * Where more pairs of points are near than mostCrossings, SamePlace has that many of them, and the rest is for the next search.
+ *
  * @throws Error where more crossings are found than mostCrossings
  */
 EdgeConflicts FindEdgeConflicts(const std::vector<Point2>& points,

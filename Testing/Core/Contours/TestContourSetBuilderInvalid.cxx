@@ -180,6 +180,20 @@ TEST(ContourSetBuilderInvalid, ToleranceThatIsNone)
   EXPECT_EQ(ErrorOf(GoodSquare(), 0), "");
 }
 
+TEST(ContourSetBuilderInvalid, AScribbleIsOneSentence)
+{
+  std::mt19937 random(1);
+  std::vector<Point2> scribble;
+  for (int i = 0; i < 2500; ++i)
+  {
+    scribble.push_back({ 1e-3 * static_cast<double>(random() % 100000),
+      1e-3 * static_cast<double>(random() % 100000) });
+  }
+  const std::string said = ErrorOf(SoupMaker().Loop(scribble));
+  EXPECT_NE(said.find("cannot be resolved: Contours cross"), std::string::npos) << said;
+  EXPECT_EQ(said.find(".."), std::string::npos) << said;
+}
+
 TEST(ContourSetBuilderInvalid, TheUserMayStop)
 {
   class Stopper : public Monitor

@@ -54,6 +54,22 @@ TEST(EdgeConflicts, TheSmallerToleranceOfTwoCounts)
   EXPECT_TRUE(FindEdgeConflicts(points, edges, { 0.01, 0.001 }, 9).Empty());
 }
 
+TEST(EdgeConflicts, PairsOfVeryManyNearPointsAreNotAllTold)
+{
+  // A walk to and fro between two places, each point a little beside the others of its place.
+  std::vector<Point2> points;
+  std::vector<PlanarEdge> edges;
+  for (int i = 0; i < 200; ++i)
+  {
+    points.push_back({ i % 2 + 1e-5 * i, 1e-5 * (i % 7) });
+    edges.push_back({ i, (i + 1) % 200, 0 });
+  }
+  EXPECT_GT(Between(points, edges, 0.01, 1000000).SamePlace.size(), 19000u);
+  EXPECT_EQ(Between(points, edges, 0.01, 500).SamePlace.size(), 501u);
+  // Nor are short edges, which are looked at first.
+  EXPECT_EQ(Between(points, edges, 9, 5).SamePlace.size(), 6u);
+}
+
 TEST(EdgeConflicts, TwinsAndShortEdges)
 {
   const EdgeConflicts ends =
