@@ -8,12 +8,36 @@ file(MAKE_DIRECTORY "${contour_package_dir}")
 set(contour_maintainer "The Contour Reconstruction authors <maintainers@contour-reconstruction.invalid>" CACHE STRING
   "Who maintains the Debian package, with an address: what the field Maintainer says")
 
-# ParaView reads the file of its own name beside its program, and lists the plugins that it names. Debian's ParaView
-# has none, and looks nowhere else but in folders that no package may use.
-file(RELATIVE_PATH contour_plugins_from_bin
-  "/prefix/${CMAKE_INSTALL_BINDIR}" "/prefix/${CMAKE_INSTALL_LIBDIR}/${contour_plugin_subdirectory}/contour.plugins.xml")
-configure_file("${CMAKE_CURRENT_LIST_DIR}/paraview.conf.in" "${contour_package_dir}/paraview.conf" @ONLY)
-install(FILES "${contour_package_dir}/paraview.conf" DESTINATION "${CMAKE_INSTALL_BINDIR}"
+# ParaView reads one list of the lists of plugins. Where Debian's ParaView has one (13), ours says the same and names our
+# plugin as well, and Debian's is diverted; where it has none (12), ParaView looks beside its own program, and else only
+# in folders that no package may use.
+set(contour_paraview_dir "${CMAKE_INSTALL_LIBDIR}/paraview-${ParaView_VERSION_MAJOR}.${ParaView_VERSION_MINOR}")
+set(contour_list "/usr/${contour_paraview_dir}/paraview.conf")
+set(contour_lists)
+foreach (file IN ITEMS "${contour_list}.distrib" "${contour_list}") # the first where our package is installed here
+  if (EXISTS "${file}" AND NOT contour_lists)
+    file(READ "${file}" contour_lists)
+  endif ()
+endforeach ()
+if (contour_lists)
+  set(contour_list_destination "${contour_paraview_dir}")
+  file(WRITE "${contour_package_dir}/paraview.conf" "${contour_lists}plugins/contour.plugins.xml\n")
+  foreach (script IN ITEMS preinst postrm)
+    configure_file("${CMAKE_CURRENT_LIST_DIR}/${script}.in" "${contour_package_dir}/${script}" @ONLY
+      FILE_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+    list(APPEND CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA "${contour_package_dir}/${script}")
+  endforeach ()
+  set(contour_list_override "# Debian's list of plugins is diverted, as ParaView reads one only.
+contour-reconstruction: diversion-for-unknown-file *")
+else ()
+  set(contour_list_destination "${CMAKE_INSTALL_BINDIR}")
+  file(RELATIVE_PATH contour_plugins_from_bin
+    "/prefix/${CMAKE_INSTALL_BINDIR}" "/prefix/${CMAKE_INSTALL_LIBDIR}/${contour_plugin_subdirectory}/contour.plugins.xml")
+  configure_file("${CMAKE_CURRENT_LIST_DIR}/paraview.conf.in" "${contour_package_dir}/paraview.conf" @ONLY)
+  set(contour_list_override "# ParaView reads the list of its plugins from beside its program; a list is no program.
+contour-reconstruction: no-manual-page [usr/bin/paraview.conf]")
+endif ()
+install(FILES "${contour_package_dir}/paraview.conf" DESTINATION "${contour_list_destination}"
   COMPONENT Debian EXCLUDE_FROM_ALL)
 
 # The changes by Debian's rules beside those that people read.

@@ -44,14 +44,20 @@ reconstructed()
     [[ -s "$root/root/brain.stl" ]] && in_root contour-reconstruct --help >/dev/null
 }
 
+# ParaView's own list of plugins, where it has one.
+own_list() { in_root sh -c 'cat /usr/lib/*/paraview-*/paraview.conf 2>/dev/null' || true; }
+
+# Nothing of it is left but what belongs to another package, and ParaView's own list says what it said.
 removed()
 {
   in_root dpkg -L contour-reconstruction | grep -E '/(contour|paraview\.conf)' >"$work_dir/files"
   in_root apt-get purge -y contour-reconstruction >"$work_dir/purge.log" 2>&1 || { tail "$work_dir/purge.log"; return 1; }
   local file
   while read -r file; do
-    [[ ! -e "$root$file" ]] || { echo "$file is left"; return 1; }
+    [[ ! -e "$root$file" ]] || in_root dpkg -S "$file" >/dev/null 2>&1 || { echo "$file is left"; return 1; }
   done <"$work_dir/files"
+  [[ -z "$(in_root dpkg-divert --list '*paraview*')" ]] || { echo "a diversion is left"; return 1; }
+  [[ "$(own_list)" == "$listed_before" ]] || { echo "ParaView's own list of plugins is another one"; return 1; }
 }
 
 if [[ -n "${2:-}" ]]; then
@@ -60,7 +66,8 @@ else
   timed "./run package" built
 fi
 timed "lintian" judged
-timed "debootstrap" make_root ca-certificates
+timed "debootstrap, ParaView" make_root ca-certificates paraview python3-paraview
+listed_before="$(own_list)"
 timed "install" installed
 ((status == 0)) || { report; exit 1; }
 timed "ParaView has the plugin" listed
