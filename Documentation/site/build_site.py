@@ -34,13 +34,13 @@ LISTS = (("Use it", ["README", "Documentation/installation", "Documentation/pack
          ("What it is worth", ["Data/TRUTH", "Data/TRUTH_IMPLICIT", "Data/TRUTH_FAIR", "Data/CERTIFICATES", "Data/PLANES", "Data/VOLUMES",
                                "Documentation/comparison", "Documentation/performance"]),
          ("How it works", ["Documentation/architecture", "Documentation/glossary", "Documentation/references",
-                           "Documentation/library", "Data/CONSTANTS", "Data/README", "CONTRIBUTING", "CHANGELOG"]))
+                           "Documentation/library", "Data/CONSTANTS", "Data/README", "CONTRIBUTING", "SECURITY", "CHANGELOG"]))
 # What pages show or link to beside pages: it is brought along, so that the links lead somewhere.
 BESIDE = re.compile(r"\]\(([^)#\s]+)")
 
 
 def pages():
-    found = [ROOT / name for name in ("README.md", "CONTRIBUTING.md", "CHANGELOG.md")]
+    found = [ROOT / name for name in ("README.md", "CONTRIBUTING.md", "CHANGELOG.md", "SECURITY.md")]
     return found + sorted((ROOT / "Documentation").glob("*.md")) + sorted((ROOT / "Data").glob("*.md"))
 
 
