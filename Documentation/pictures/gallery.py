@@ -108,11 +108,11 @@ def methods(view):
 
 
 def caps(view):
-    for number, cap in enumerate(("Flat", "HalfSlice", "Tapered", "None")):
+    for number, cap in enumerate(("Flat", "HalfSlice", "Tapered", "Extrapolated", "None")):
         source = loops([ring(1.5 - 0.12 * (i - 2) ** 2, 0.6 * i) for i in range(5)])
         surface = simple.PolyhedralSurface(Input=source, EndCaps=cap)
-        show(view, surface, GOLD, (3.6 * (number - 1.5), 0, 0), style="Surface With Edges")
-        show(view, source, RED, (3.6 * (number - 1.5), 0, 0), width=4)
+        show(view, surface, GOLD, (3.6 * (number - 2), 0, 0), style="Surface With Edges")
+        show(view, source, RED, (3.6 * (number - 2), 0, 0), width=4)
     return (0.0, -0.85, 0.5)
 
 
@@ -180,7 +180,7 @@ SCENES = {"brain": brain, "head": head, "femur": femur, "tamarind": tamarind, "m
           "tetrahedra": tetrahedra, "terrain": terrain, "cut_and_back": cut_and_back, "regions": regions, "pipe": pipe}
 SCENES.update(Stages(show, ring, loops).scenes())
 # Pictures that are wider than high have room above and below.
-ZOOM = {"brain": 1.25, "methods": 1.25, "caps": 1.1, "joins": 1.1, "cut_and_back": 1.25, "pipe": 1.2, "terrain": 1.2}
+ZOOM = {"brain": 1.25, "methods": 1.25, "caps": 1.38, "joins": 1.1, "cut_and_back": 1.25, "pipe": 1.2, "terrain": 1.2}
 
 
 def render(name, folder):

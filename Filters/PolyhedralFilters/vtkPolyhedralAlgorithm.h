@@ -58,7 +58,8 @@ public:
     Flat = 0,
     HalfSlice = 1,
     Tapered = 2,
-    NoCaps = 3
+    NoCaps = 3,
+    Extrapolated = 4
   };
   enum IsolatedContourMode
   {
@@ -81,11 +82,11 @@ public:
   ///@{
   /**
    * How the surface ends above a contour that has no partner: Flat in its plane, HalfSlice
-   * straight on, Tapered, or NoCaps, open. Tapered also rounds off a part of a contour that ends
-   * although the rest goes on. It is the default because it is nearest to the truth (see
-   * Data/TRUTH.md). The volume that the caps add is in the field data `EndCapVolume`.
+   * straight on, Tapered, Extrapolated as the sections before it tell, or NoCaps, open. Tapered and
+   * Extrapolated also round off a part of a contour that ends although the rest goes on. Tapered is
+   * the default (see Data/TRUTH.md). The volume that the caps add is in the field data `EndCapVolume`.
    */
-  vtkSetClampMacro(EndCaps, int, Flat, NoCaps);
+  vtkSetClampMacro(EndCaps, int, Flat, Extrapolated);
   vtkGetMacro(EndCaps, int);
   ///@}
 

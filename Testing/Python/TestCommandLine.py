@@ -148,7 +148,7 @@ ct.check("\x1b" not in plain, "no colours where there is no terminal")
 fails("are in mm", "drawn.dcm", "out.vtp", "--unit", "cm")
 fails("--roi needs a DICOM RT structure set, or a file of a tracing program", brain, "out.vtp", "--roi", "Heart")
 listed = succeeds("drawn.dcm", "--list")
-ct.check("Body" in listed and "Ball" in listed and "EndCaps = Tapered: Flat, HalfSlice, Tapered, None" in listed,
+ct.check("Body" in listed and "Ball" in listed and "EndCaps = Tapered: Flat, HalfSlice, Tapered, Extrapolated, None" in listed,
          f"--list tells regions and properties: {listed}")
 ct.check("EndCaps = Tapered" in succeeds("--list"), "--list without a file tells the properties")
 ct.check("volume/cm3" in succeeds("drawn.dcm", "unit.vtp", "--roi", "Body"), "volumes of structure sets are in cm3")
@@ -163,7 +163,7 @@ row = [line for line in table.splitlines() if line.startswith(drawings[0][:2])][
 ct.check(row[1] == "4" and abs(float(row[6]) - 0.256) < 0.02, f"four drawings are one solid of 0.256 cm3: {row}")
 fails("--spacing is for files that do not tell", "drawn.dcm", "out.vtp", "--spacing", "2")
 # Settings are checked against what the nodes say of them, names in any case.
-for setting, words in (("EndCaps=Round", "one of Flat, HalfSlice, Tapered, None"), ("OverlapThreshold=7", "from 0 to 0.99"),
+for setting, words in (("EndCaps=Round", "one of Flat, HalfSlice, Tapered, Extrapolated, None"), ("OverlapThreshold=7", "from 0 to 0.99"),
                        ("InternalPoints=maybe", "on or off"), ("Threads=1.5", "no whole number"),
                        ("ForcedJoins=1,2,3", "by 2, and here are 3"), ("Overrides=absent.csv", "no file absent.csv")):
     fails(words, pipe, "out.vtp", "--set", setting)

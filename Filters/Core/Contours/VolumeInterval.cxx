@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Contours/VolumeInterval.h"
 
-#include "Base/DisjointSets.h"
 #include "Base/SubMonitor.h"
 #include "Contours/ContourSetBuilder.h"
 #include "Contours/LevelGaps.h"
+#include "Contours/SectionStack.h"
 #include "Planar/RegionOverlaps.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <utility>
 
@@ -28,69 +26,24 @@ constexpr double EndingSection = 0.25;
 constexpr double PartOfEnding = 1.0 / 6;
 /// How far a region goes on that does not get smaller, as a part of the distance to the next slice.
 constexpr double StraightEnd = 0.5;
-/// Half the second derivative of a ball's section along the stack.
-constexpr double HalfBendOfBall = -3.14159265358979323846;
-
-/// Regions of a slab's two levels that joins link to one another.
-struct SlabPart
-{
-  std::array<std::vector<int>, 2> Regions; ///< sorted, of the lower and of the upper level
-  std::array<double, 2> Area{ { 0, 0 } };
-};
-
-/// Sections at three levels, nearest first: second derivative along the stack.
-double Bend(const std::array<double, 3>& area, double near, double far)
-{
-  const double first = (area[0] - area[1]) / near;
-  const double second = (area[1] - area[2]) / far;
-  return 2 * (first - second) / (near + far);
-}
-
-/// The section beyond its last level, as area + Slope t + HalfBend t^2.
-struct Parabola
-{
-  double Area;
-  double Slope;
-  double HalfBend;
-
-  double Integral(double t) const
-  {
-    return t * (this->Area + t * (this->Slope / 2 + t * this->HalfBend / 3));
-  }
-
-  /// Where nothing is left: the least positive root; infinity where there is none.
-  double End() const
-  {
-    const double none = std::numeric_limits<double>::infinity();
-    const double square = this->Slope * this->Slope - 4 * this->HalfBend * this->Area;
-    if (square < 0)
-    {
-      return none;
-    }
-    // 2 c / (-b +- sqrt), which holds for no bend, too; the least positive has the larger divisor.
-    const double divisor = std::sqrt(square) - this->Slope;
-    return divisor > 0 ? 2 * this->Area / divisor : none;
-  }
-};
-
 class VolumeEstimator
 {
 public:
   VolumeEstimator(const ContourSet& contours, const ContourMapping& mapping, const LevelGaps& gaps)
     : Contours(contours),
       Mapping(mapping),
-      Gaps(gaps)
+      Gaps(gaps),
+      Stack(contours, mapping, gaps)
   {
-    this->FormParts();
   }
 
   VolumeInterval Estimate(Monitor& monitor)
   {
-    const int slabs = static_cast<int>(this->Parts.size());
+    const int slabs = static_cast<int>(this->Gaps.Thickness.size());
     for (int slab = 0; slab < slabs; ++slab)
     {
       monitor.Update(static_cast<double>(slab) / slabs, "estimating the volume");
-      for (const SlabPart& part : this->Parts[slab])
+      for (const SlabPart& part : this->Stack.PartsOf(slab))
       {
         this->AddPart(part, slab);
       }
@@ -100,7 +53,7 @@ public:
     {
       for (const int step : { -1, 1 })
       {
-        if (this->Mapping.Regions[region].Solid && this->PartAt(region, step) < 0)
+        if (this->Mapping.Regions[region].Solid && this->Stack.Ends(region, step))
         {
           this->AddEnd(region, step);
         }
@@ -117,79 +70,6 @@ public:
   }
 
 private:
-  void FormParts()
-  {
-    const std::size_t regions = this->Mapping.Regions.size();
-    const std::size_t slabs = this->Gaps.Thickness.size();
-    this->Parts.resize(slabs);
-    for (auto& parts : this->PartOf)
-    {
-      parts.assign(regions, -1);
-    }
-    std::vector<std::vector<const ContourJoin*>> joins(slabs);
-    for (const ContourJoin& join : this->Mapping.Joins)
-    {
-      if (join.Joined && join.LowerRegion >= 0 && join.UpperRegion >= 0 &&
-        this->Mapping.Regions[join.LowerRegion].Solid)
-      {
-        joins[join.Slab].push_back(&join);
-      }
-    }
-    DisjointSets linked(2 * regions); // as of the slab above, and of that below
-    for (std::size_t slab = 0; slab < slabs; ++slab)
-    {
-      for (const ContourJoin* join : joins[slab])
-      {
-        linked.Join(2 * join->LowerRegion + 1, 2 * join->UpperRegion);
-      }
-      std::map<int, int> partOfSet;
-      for (const ContourJoin* join : joins[slab])
-      {
-        const int set = linked.Find(2 * join->LowerRegion + 1);
-        const auto [found, isNew] = partOfSet.emplace(set, this->Parts[slab].size());
-        if (isNew)
-        {
-          this->Parts[slab].emplace_back();
-        }
-        this->Take(join->LowerRegion, 0, found->second, this->Parts[slab][found->second]);
-        this->Take(join->UpperRegion, 1, found->second, this->Parts[slab][found->second]);
-      }
-    }
-  }
-
-  void Take(int region, int side, int number, SlabPart& part)
-  {
-    int& known = this->PartOf[side][region];
-    if (known < 0)
-    {
-      known = number;
-      std::vector<int>& regions = part.Regions[side];
-      regions.insert(std::upper_bound(regions.begin(), regions.end(), region), region);
-      part.Area[side] += this->Mapping.Regions[region].Area;
-    }
-  }
-
-  int SlabAt(int level, int step) const { return step > 0 ? level : level - 1; }
-
-  bool IsSlab(int slab) const { return slab >= 0 && slab < static_cast<int>(this->Parts.size()); }
-
-  /// Of a region in the slab above (step 1) or below (step -1) it; -1: it ends.
-  int PartAt(int region, int step) const { return this->PartOf[step > 0 ? 0 : 1][region]; }
-
-  /// What regions of one level become on the next one, if nothing else does and nothing of them
-  /// ends.
-  const SlabPart* WholePartAt(const std::vector<int>& regions, int step) const
-  {
-    const int number = this->PartAt(regions.front(), step);
-    if (number < 0)
-    {
-      return nullptr;
-    }
-    const int slab = this->SlabAt(this->Mapping.Regions[regions.front()].Level, step);
-    const SlabPart& part = this->Parts[slab][number];
-    return part.Regions[step > 0 ? 0 : 1] == regions ? &part : nullptr;
-  }
-
   double OffsetOf(int level) const { return this->Contours.Levels[level].Offset; }
 
   void Add(double estimate, double lowest, double highest, double offset)
@@ -214,9 +94,9 @@ private:
     for (const int side : { 0, 1 })
     {
       const int step = side == 0 ? -1 : 1;
-      if (const SlabPart* next = this->WholePartAt(part.Regions[side], step))
+      if (const SlabPart* next = this->Stack.WholePartAt(part.Regions[side], step))
       {
-        bends.push_back(Bend({ part.Area[1 - side], part.Area[side], next->Area[side] }, h,
+        bends.push_back(BendOf({ part.Area[1 - side], part.Area[side], next->Area[side] }, h,
           this->Gaps.Thickness[slab + step]));
       }
     }
@@ -281,58 +161,24 @@ private:
     }
   }
 
-  /// How far an end may reach: to the next slice, or where one would be.
-  double ReachOf(int level, int step) const
-  {
-    for (const int slab : { this->SlabAt(level, step), this->SlabAt(level, -step) })
-    {
-      if (this->IsSlab(slab) && !this->Gaps.IsGap[slab])
-      {
-        return this->Gaps.Thickness[slab];
-      }
-    }
-    return this->Contours.Spacing();
-  }
-
-  /// Of a region that ends in this direction; nothing where no level is behind.
-  std::optional<Parabola> ParabolaOf(int region, int step) const
-  {
-    const SlabPart* behind = this->WholePartAt({ region }, -step);
-    if (!behind)
-    {
-      return std::nullopt;
-    }
-    const int far = step > 0 ? 0 : 1;
-    const int level = this->Mapping.Regions[region].Level;
-    const double near = this->Gaps.Thickness[this->SlabAt(level, -step)];
-    const double area = this->Mapping.Regions[region].Area;
-    double halfBend = HalfBendOfBall;
-    if (const SlabPart* next = this->WholePartAt(behind->Regions[far], -step))
-    {
-      const double beyond = this->Gaps.Thickness[this->SlabAt(level - step, -step)];
-      halfBend = Bend({ area, behind->Area[far], next->Area[far] }, near, beyond) / 2;
-    }
-    return Parabola{ area, (area - behind->Area[far]) / near + halfBend * near, halfBend };
-  }
-
   void AddEnd(int region, int step)
   {
     const int level = this->Mapping.Regions[region].Level;
-    const int slab = this->SlabAt(level, step);
-    const double reach = this->ReachOf(level, step);
+    const int slab = SectionStack::SlabAt(level, step);
+    const double reach = this->Stack.ReachOf(level, step);
     const double box = this->Mapping.Regions[region].Area * reach;
     double estimate = StraightEnd * box;
     double highest = box;
-    if (const std::optional<Parabola> parabola = this->ParabolaOf(region, step))
+    if (const std::optional<SectionParabola> parabola = this->Stack.ParabolaAtEnd(region, step))
     {
-      const double end = parabola->End();
+      const double end = parabola->PlaceOf(0);
       estimate = parabola->Integral(
         end <= reach ? end : reach * (StraightEnd + (1 - StraightEnd) * reach / end));
-      const Parabola widening{ parabola->Area, std::max(0.0, parabola->Slope),
+      const SectionParabola widening{ parabola->Area, std::max(0.0, parabola->Slope),
         parabola->Slope > 0 ? std::max(0.0, parabola->HalfBend) : 0 };
       highest = std::max(widening.Integral(reach), estimate);
     }
-    const bool isBetween = this->IsSlab(slab) && !this->Gaps.IsGap[slab];
+    const bool isBetween = this->Stack.IsBridged(slab);
     this->Add(estimate, 0, highest,
       isBetween ? this->MiddleOf(slab) : this->OffsetOf(level) + step * reach / 2);
   }
@@ -340,9 +186,7 @@ private:
   const ContourSet& Contours;
   const ContourMapping& Mapping;
   const LevelGaps& Gaps;
-  std::vector<std::vector<SlabPart>> Parts; ///< by slab
-  /// Of a region the part in the slab above it (0: it is on the lower level), and below it.
-  std::array<std::vector<int>, 2> PartOf;
+  const SectionStack Stack;
   VolumeInterval Result;
   std::map<double, double> Widths; ///< by offset
 };

@@ -6,11 +6,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 namespace recon
 {
 namespace
 {
+/// Rings of a round end: parts of the way from the contour to the middle.
+constexpr double Rings[] = { 0.2, 0.5 };
+
 /// Triangles of the region of `seed`, which is a connected part of IR.
 std::vector<int> RegionOf(
   const LevelTriangulation& level, int seed, std::vector<unsigned char>& visited)
@@ -107,15 +112,40 @@ std::vector<Point2> FindCoverPoints(
 }
 
 std::vector<Point2> FindEndCapPoints(
-  const LevelTriangulation& level, const Coverage& coverage, double unit)
+  const LevelTriangulation& level, const Coverage& coverage, double unit, bool rings)
 {
   const std::vector<unsigned char> inSkeleton = FindInternalSkeleton(level, unit);
   std::vector<Point2> points;
+  std::map<int, std::pair<double, Point2>>
+    largest; // of a contour's point: the largest circle at it
   for (std::size_t t = 0; t < level.Triangles.size(); ++t)
   {
-    if (inSkeleton[t] && coverage.Ends[t] && !coverage.Isolated[t])
+    if (!inSkeleton[t] || !coverage.Ends[t] || coverage.Isolated[t])
     {
-      points.push_back(level.VoronoiVertex(static_cast<int>(t)));
+      continue;
+    }
+    const Point2 middle = level.VoronoiVertex(static_cast<int>(t));
+    points.push_back(middle);
+    for (const int p : level.Triangles[t])
+    {
+      if (rings && level.Kind[p] != LevelTriangulation::Internal)
+      {
+        const Point2& corner = level.Points[p];
+        const std::pair<double, Point2> circle{
+          std::hypot(middle[0] - corner[0], middle[1] - corner[1]), middle
+        };
+        const auto [known, isNew] = largest.emplace(p, circle);
+        known->second = std::max(known->second, circle);
+      }
+    }
+  }
+  for (const auto& [p, circle] : largest)
+  {
+    for (const double inwards : Rings)
+    {
+      const Point2& corner = level.Points[p];
+      points.push_back({ corner[0] + inwards * (circle.second[0] - corner[0]),
+        corner[1] + inwards * (circle.second[1] - corner[1]) });
     }
   }
   std::sort(points.begin(), points.end());

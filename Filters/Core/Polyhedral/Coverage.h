@@ -49,9 +49,10 @@ std::vector<Point2> FindCoverPoints(
   const LevelTriangulation& level, const Coverage& coverage, const LiftedHeights& lifted);
 
 /// Vertices of the internal Voronoi skeleton (VoronoiSkeleton.h) in regions that end on some side
-/// and are not isolated: points for a tapered end. unit: of the last decimal of the points.
+/// and are not isolated: points for a tapered end. unit: of the last decimal of the points. rings:
+/// points between them and the contours as well, so that an end can be round.
 std::vector<Point2> FindEndCapPoints(
-  const LevelTriangulation& level, const Coverage& coverage, double unit);
+  const LevelTriangulation& level, const Coverage& coverage, double unit, bool rings);
 }
 
 #endif

@@ -78,10 +78,10 @@ private:
     {
       return 0;
     }
-    const bool tapered = this->Options.EndCaps == PolyhedralOptions::Tapered;
+    const bool tapered = PolyhedralOptions::IsRounded(this->Options.EndCaps);
     if (ends)
     {
-      return tapered ? cap * this->ShareOfEnd(point) : 0;
+      return tapered ? this->RiseOfEnd(point, triangle) : 0;
     }
     const bool cover = (this->Level.AskedBy[point] & LevelTriangulation::Cover) != 0;
     const auto& outside = above ? this->Side.Level->OutsideAbove : this->Side.Level->OutsideBelow;
@@ -95,6 +95,20 @@ private:
     const double between = dA / (dA + dB);
     return (this->Side.Neighbour->Offset - this->Side.Level->Offset) *
       (tapered && passedOver ? std::max(between, this->ShareOfEnd(point)) : between);
+  }
+
+  double RiseOfEnd(int point, int triangle) const
+  {
+    if (this->Side.Shapes)
+    {
+      const auto shape = this->Side.Shapes->find(this->Level.Region[triangle]);
+      if (shape != this->Side.Shapes->end())
+      {
+        return this->Side.Towards *
+          shape->second.HeightAt((*this->Side.Level->Distance)(this->Level.Points[point]));
+      }
+    }
+    return this->Side.Towards * this->Side.CapThickness * this->ShareOfEnd(point);
   }
 
   double ShareOfEnd(int point) const
@@ -111,10 +125,15 @@ private:
 };
 }
 
+double HighestShareOfEnd(bool beyondOutermostLevel)
+{
+  return beyondOutermostLevel ? HighestOutermostEnd : HighestEnd;
+}
+
 double EndShare(const Point2& point, double distance, const PlanarContourDistance* behind,
   bool beyondOutermostLevel)
 {
-  const double highest = beyondOutermostLevel ? HighestOutermostEnd : HighestEnd;
+  const double highest = HighestShareOfEnd(beyondOutermostLevel);
   // Without a level behind a wall of one in one, in slabs, is as good a guess as any.
   const double inset = behind ? (*behind)(point)-distance : distance;
   return inset * highest <= SlopeOfEnds * distance ? highest : SlopeOfEnds * distance / inset;

@@ -9,13 +9,15 @@
  * whichever level asked for it: one that stayed in the plane would hold back the ridge beside it.
  *
  * Ends: a region from which no solid leaves on a side is capped there, flat, by half a slice (all
- * of its points go up by half the slab), or tapered (see EndShare). Tapered also rounds off the
- * parts of a region that end although the region goes on (see PartialEnds.h).
+ * of its points go up by half the slab), tapered (see EndShare), or extrapolated (see EndShapes.h;
+ * tapered where nothing is behind). Tapered and extrapolated also round off the parts of a region
+ * that end although the region goes on (see PartialEnds.h).
  */
 #ifndef recon_LiftTargets_h
 #define recon_LiftTargets_h
 
 #include "Planar/PlanarContourDistance.h"
+#include "Polyhedral/EndShapes.h"
 #include "Polyhedral/LevelState.h"
 #include "Polyhedral/PolyhedralOptions.h"
 
@@ -27,11 +29,15 @@ namespace recon
 struct LiftSide
 {
   const LevelState* Level;
-  const LevelState* Neighbour; ///< on that side, null where there is none
-  const LevelState* Behind;    ///< on the other side, null where there is none
-  int Towards;                 ///< 1 above, -1 below
-  double CapThickness;         ///< of which a cap takes half
+  const LevelState* Neighbour;    ///< on that side, null where there is none
+  const LevelState* Behind;       ///< on the other side, null where there is none
+  int Towards;                    ///< 1 above, -1 below
+  double CapThickness;            ///< of which a cap takes half
+  const EndShapesOfLevel* Shapes; ///< of extrapolated ends on that side, null where there are none
 };
+
+/// The largest EndShare.
+double HighestShareOfEnd(bool beyondOutermostLevel);
 
 /**
  * How far a tapered end reaches beyond its plane at a point, as a share of the slab.

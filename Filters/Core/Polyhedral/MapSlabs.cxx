@@ -17,17 +17,6 @@ std::string GapLine(
     Text(maximumGap) + ", and 0 joins all.";
 }
 
-ContourMappingOptions MappingOptions(const PolyhedralOptions& options)
-{
-  ContourMappingOptions mapping;
-  mapping.OverlapThreshold = options.OverlapThreshold;
-  mapping.ForcedJoins = options.ForcedJoins;
-  mapping.ForbiddenJoins = options.ForbiddenJoins;
-  mapping.MaximumGap = options.MaximumGap;
-  mapping.Threads = options.Threads;
-  return mapping;
-}
-
 void UseJoin(const ContourMapping& mapping, const ContourJoin& join, std::vector<SlabState>& slabs)
 {
   if (join.LowerRegion < 0 || join.UpperRegion < 0)
@@ -43,6 +32,17 @@ void UseJoin(const ContourMapping& mapping, const ContourJoin& join, std::vector
     joins.Exceptions.insert({ lower.Wall, upper.Wall });
   }
 }
+}
+
+ContourMappingOptions MappingOptionsOf(const PolyhedralOptions& options)
+{
+  ContourMappingOptions mapping;
+  mapping.OverlapThreshold = options.OverlapThreshold;
+  mapping.ForcedJoins = options.ForcedJoins;
+  mapping.ForbiddenJoins = options.ForbiddenJoins;
+  mapping.MaximumGap = options.MaximumGap;
+  mapping.Threads = options.Threads;
+  return mapping;
 }
 
 ContourMapping MapSlabs(const ContourSet& contours, const PolyhedralOptions& options,
@@ -63,7 +63,7 @@ ContourMapping MapSlabs(const ContourSet& contours, const PolyhedralOptions& opt
   {
     return {};
   }
-  ContourMapping mapping = BuildContourMapping(contours, MappingOptions(options), monitor);
+  ContourMapping mapping = BuildContourMapping(contours, MappingOptionsOf(options), monitor);
   report.insert(report.end(), mapping.Report.begin(), mapping.Report.end());
   for (const ContourJoin& join : mapping.Joins)
   {

@@ -16,6 +16,9 @@
 
 namespace recon
 {
+/// What the surface's options say of the mapping.
+ContourMappingOptions MappingOptionsOf(const PolyhedralOptions& options);
+
 /**
  * Sets Joins of every slab, whose Thickness is known, and tells in report of the gaps.
  *

@@ -25,16 +25,20 @@ struct PolyhedralOptions
   };
   enum EndCapsType
   {
-    Flat = 0,      ///< in the plane of the contour: no volume added
-    HalfSlice = 1, ///< half a slice straight on, as planning systems count volumes
-    Tapered = 2,   ///< rounded off: see EndShare and PartialEnds.h
-    NoCaps = 3     ///< left open: the surface is then not closed
+    Flat = 0,        ///< in the plane of the contour: no volume added
+    HalfSlice = 1,   ///< half a slice straight on, as planning systems count volumes
+    Tapered = 2,     ///< rounded off: see EndShare and PartialEnds.h
+    NoCaps = 3,      ///< left open: the surface is then not closed
+    Extrapolated = 4 ///< as the sections before tell, rounded like these: see EndShapes.h
   };
   enum IsolatedContoursType
   {
     Drop = 0,   ///< left out, with a line in Report
     Extrude = 1 ///< half a slice each way
   };
+
+  /// Whether such ends are rounded off, with points of their own, which parts that end get, too.
+  static bool IsRounded(EndCapsType ends) { return ends == Tapered || ends == Extrapolated; }
 
   bool InternalPoints = true;     ///< thesis 5.3
   bool LiftInternalPoints = true; ///< thesis 6.2

@@ -3,6 +3,7 @@
 
 #include "Polyhedral/BoundaryVoronoi.h"
 #include "Polyhedral/Elimination.h"
+#include "Polyhedral/EndShapes.h"
 #include "Polyhedral/LeftOut.h"
 #include "Polyhedral/Lifting.h"
 #include "Polyhedral/LiftTargets.h"
@@ -66,6 +67,12 @@ public:
       {
         this->Out.Mapping = MapSlabs(
           this->Contours, this->Options, this->Slabs, this->Out.Report, this->Runner.GetMonitor());
+        if (this->Extrapolates())
+        {
+          this->Shapes.emplace(
+            this->Contours, this->Out.Mapping, this->Options, this->Runner.GetMonitor());
+          this->ShapesOf.resize(this->Levels.size());
+        }
       });
     this->Runner.Timed("triangulate levels", [&] { this->TriangulateLevels(); });
     this->Runner.Timed("insert internal points", [&] { this->InsertInternalPoints(); });
@@ -103,8 +110,10 @@ private:
   bool RoundsOffPartialEnds() const
   {
     return this->Options.InternalPoints && this->Options.LiftInternalPoints &&
-      this->Options.EndCaps == PolyhedralOptions::Tapered;
+      PolyhedralOptions::IsRounded(this->Options.EndCaps);
   }
+
+  bool Extrapolates() const { return this->Options.EndCaps == PolyhedralOptions::Extrapolated; }
 
   void InsertInternalPoints()
   {
@@ -219,6 +228,13 @@ private:
         }
         level.Covered = FindCoverage(level.Triangulation, this->DiagramOrNull(i - 1),
           this->DiagramOrNull(i), this->Options.IsolatedContours == PolyhedralOptions::Extrude);
+        for (const int towards : { -1, 1 })
+        {
+          if (this->Shapes)
+          {
+            this->ShapesOf[i][towards > 0 ? 1 : 0] = this->Shapes->Find(level, i, towards);
+          }
+        }
       });
     FindPointsOutsideNeighbours(this->Levels, this->Runner, from);
     this->Runner.ForAll(this->Slabs.size(), from, to, "shaping branches and ends",
@@ -251,7 +267,8 @@ private:
   std::vector<double> TargetsOf(int level, int towards) const
   {
     const LiftSide side{ &this->Levels[level], this->LevelOrNull(level + towards),
-      this->LevelOrNull(level - towards), towards, this->ThicknessForCaps(level, towards) };
+      this->LevelOrNull(level - towards), towards, this->ThicknessForCaps(level, towards),
+      this->Shapes ? &this->ShapesOf[level][towards > 0 ? 1 : 0] : nullptr };
     return FindLiftTargets(side, this->Options);
   }
 
@@ -318,7 +335,7 @@ private:
     this->Runner.Timed("cap ends and cover bare parts",
       [&]
       {
-        const bool taper = first && this->Options.EndCaps == PolyhedralOptions::Tapered;
+        const bool round = first && PolyhedralOptions::IsRounded(this->Options.EndCaps);
         const bool partialEnds = first && this->RoundsOffPartialEnds();
         const EndsOfSlabs ends =
           partialEnds ? this->FindPartialEndsOfSlabs(progress) : EndsOfSlabs();
@@ -326,7 +343,7 @@ private:
           [&](int i)
           {
             const bool anyEnds = partialEnds && this->AddPartialEnds(i, ends);
-            this->AddCapAndCoverPoints(this->Levels[i], this->Units[i], taper, anyEnds);
+            this->AddCapAndCoverPoints(this->Levels[i], this->Units[i], round, anyEnds);
           });
       });
     return std::any_of(this->Levels.begin(), this->Levels.end(),
@@ -334,12 +351,13 @@ private:
   }
 
   /// anyEnds: the triangulator was changed already.
-  static void AddCapAndCoverPoints(LevelState& level, double unit, bool taper, bool anyEnds)
+  void AddCapAndCoverPoints(LevelState& level, double unit, bool round, bool anyEnds) const
   {
     const std::vector<Point2> bare =
       FindCoverPoints(level.Triangulation, level.Covered, level.Lifted);
-    const std::vector<Point2> caps =
-      taper ? FindEndCapPoints(level.Triangulation, level.Covered, unit) : std::vector<Point2>();
+    const std::vector<Point2> caps = round
+      ? FindEndCapPoints(level.Triangulation, level.Covered, unit, this->Extrapolates())
+      : std::vector<Point2>();
     level.Changed = anyEnds || !bare.empty() || !caps.empty();
     if (!level.Changed)
     {
@@ -357,6 +375,8 @@ private:
   const PolyhedralOptions& Options;
   TetrahedraWanted Wanted;
   StageRunner Runner;
+  std::optional<EndShapes> Shapes;                       ///< where ends are extrapolated
+  std::vector<std::array<EndShapesOfLevel, 2>> ShapesOf; ///< by level, below and above
   std::vector<double> Units; ///< of the last decimal of each level's contours
   PolyhedralStages Out;
   std::vector<LevelState>& Levels = Out.Levels;

@@ -133,8 +133,9 @@ def polyhedral_surface(contours: ContoursLike, *, Mapping: Choice = "Overlap", O
         Which contours of neighbouring levels may be joined: those whose areas overlap, or those that face each other.
     OverlapThreshold : float, default: 0.1
         The share of the smaller contour's area that two contours must have in common, 0 to 0.99.
-    EndCaps : {"Tapered", "Flat", "HalfSlice", "None"}
-        How the surface ends where a contour has no partner; None leaves it open.
+    EndCaps : {"Tapered", "Flat", "HalfSlice", "Extrapolated", "None"}
+        How the surface ends where a contour has no partner; Extrapolated goes on as the sections before it tell, None leaves
+        it open.
     IsolatedContours : {"Extrude", "Drop"}
         What becomes of a contour with no partner at all: a slice of its own, or nothing, with a line in the report.
     InternalPoints : bool, default: True

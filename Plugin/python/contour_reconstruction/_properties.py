@@ -12,7 +12,7 @@ CHOICES: dict[str, dict[str, int]] = {
     "HoleRule": {"Automatic": 0, "Even-Odd": 1, "Winding": 2, "Keyhole": 3},
     "OpenLines": {"Leave Out": 0, "Chord": 1, "Border": 2},
     "Mapping": {"Proximity": 0, "Overlap": 1},
-    "EndCaps": {"Flat": 0, "HalfSlice": 1, "Tapered": 2, "None": 3},
+    "EndCaps": {"Flat": 0, "HalfSlice": 1, "Tapered": 2, "None": 3, "Extrapolated": 4},
     "IsolatedContours": {"Drop": 0, "Extrude": 1},
     "AlignLevels": {"Off": 0, "Automatic": 1, "On": 2},
     "Detail": {"Full": 0, "Medium": 1, "Coarse": 2},

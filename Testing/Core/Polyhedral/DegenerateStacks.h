@@ -150,7 +150,7 @@ inline std::vector<PolyhedralOptions> EveryCombination()
   for (const auto mapping : { PolyhedralOptions::Proximity, PolyhedralOptions::Overlap })
   {
     for (const auto caps : { PolyhedralOptions::Flat, PolyhedralOptions::HalfSlice,
-           PolyhedralOptions::Tapered, PolyhedralOptions::NoCaps })
+           PolyhedralOptions::Tapered, PolyhedralOptions::Extrapolated, PolyhedralOptions::NoCaps })
     {
       for (const auto isolated : { PolyhedralOptions::Drop, PolyhedralOptions::Extrude })
       {

@@ -159,8 +159,8 @@ inline void ExpectAllCombinations(const ContourSet& contours)
 {
   for (const auto mapping : { PolyhedralOptions::Proximity, PolyhedralOptions::Overlap })
   {
-    for (const auto caps :
-      { PolyhedralOptions::Flat, PolyhedralOptions::HalfSlice, PolyhedralOptions::Tapered })
+    for (const auto caps : { PolyhedralOptions::Flat, PolyhedralOptions::HalfSlice,
+           PolyhedralOptions::Tapered, PolyhedralOptions::Extrapolated })
     {
       for (const auto isolated : { PolyhedralOptions::Drop, PolyhedralOptions::Extrude })
       {

@@ -194,7 +194,7 @@ inline void ExpectKeepsPromisesOrIsEmpty(
 /// For the trace of a failure.
 inline std::string Describe(const PolyhedralOptions& options)
 {
-  const char* const caps[] = { "Flat", "HalfSlice", "Tapered", "None" };
+  const char* const caps[] = { "Flat", "HalfSlice", "Tapered", "None", "Extrapolated" };
   std::ostringstream text;
   text << (options.InternalPoints ? "with" : "without") << " internal points, "
        << (options.LiftInternalPoints ? "" : "not ") << "lifted, Mapping "
