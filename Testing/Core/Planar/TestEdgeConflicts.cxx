@@ -56,7 +56,7 @@ TEST(EdgeConflicts, TheSmallerToleranceOfTwoCounts)
 
 TEST(EdgeConflicts, PairsOfVeryManyNearPointsAreNotAllTold)
 {
-  // A walk to and fro between two places, each point a little beside the others of its place.
+  // A walk back and forth between two places, each point a little beside the others of its place.
   std::vector<Point2> points;
   std::vector<PlanarEdge> edges;
   for (int i = 0; i < 200; ++i)
