@@ -280,9 +280,12 @@ private:
     for (const Move& stay : this->Stays)
     {
       const auto& place = this->Places[this->PlaceOf(stay)];
-      if (std::any_of(place.begin(), place.end(),
-            [&](int p) { return p != stay.Point && this->Mesh.Points[p] == stay.From; }))
+      const auto left = std::find_if(place.begin(), place.end(),
+        [&](int p) { return p != stay.Point && this->Mesh.Points[p] == stay.From; });
+      if (left != place.end())
       {
+        // That one stays for good, or the place would be no point of the surface.
+        this->MoveOf[*left] = -1;
         this->Moves.push_back(stay);
       }
     }
