@@ -36,6 +36,26 @@ constexpr double PerfectTangent = 1;
 constexpr double Reach = 1;
 constexpr int MostPasses = 6;
 constexpr std::size_t PointsABlock = 1024;
+
+/// Corners and what is beside their box, which most points are, need no predicate.
+bool IsWithin(const Point3& p, const std::array<Point3, 4>& corners)
+{
+  Box3 box;
+  std::for_each(corners.begin(), corners.end(), [&box](const Point3& q) { box.Add(q); });
+  if (!box.Contains(p) || std::find(corners.begin(), corners.end(), p) != corners.end())
+  {
+    return false;
+  }
+  const int turn = Orientation3(corners[0], corners[1], corners[2], corners[3]);
+  bool within = turn != 0;
+  for (std::size_t k = 0; k < 4 && within; ++k)
+  {
+    std::array<Point3, 4> other = corners;
+    other[k] = p;
+    within = Orientation3(other[0], other[1], other[2], other[3]) == turn;
+  }
+  return within;
+}
 }
 
 EvenPasses::EvenPasses(const TriangleMesh& mesh, const std::vector<char>& parts,
@@ -380,33 +400,23 @@ std::vector<EvenPasses::Tetrahedron> EvenPasses::WayOf(
 /// through as a whole; but then it is within another one.
 bool EvenPasses::AnyPointWithin(const std::vector<Tetrahedron>& way) const
 {
-  return std::any_of(way.begin(), way.end(),
-    [this](const Tetrahedron& corners)
+  Box3 whole;
+  for (const Tetrahedron& corners : way)
+  {
+    std::for_each(corners.begin(), corners.end(), [&whole](const Point3& p) { whole.Add(p); });
+  }
+  const auto isWithin = [&](int v)
+  {
+    const Point3& p = this->Mesh.Points[v];
+    return whole.Contains(p) &&
+      std::any_of(
+        way.begin(), way.end(), [&p](const Tetrahedron& corners) { return IsWithin(p, corners); });
+  };
+  return this->Grid->AnyNear(whole.Low, whole.High,
+    [&](int t)
     {
-      Box3 box;
-      for (const Point3& p : corners)
-      {
-        box.Add(p);
-      }
-      const int turn = Orientation3(corners[0], corners[1], corners[2], corners[3]);
-      const auto isWithin = [&](int v)
-      {
-        bool within = box.Contains(this->Mesh.Points[v]);
-        for (std::size_t k = 0; k < 4 && within; ++k)
-        {
-          Tetrahedron other = corners;
-          other[k] = this->Mesh.Points[v];
-          within = Orientation3(other[0], other[1], other[2], other[3]) == turn;
-        }
-        return within;
-      };
-      return turn != 0 &&
-        this->Grid->AnyNear(box.Low, box.High,
-          [&](int t)
-          {
-            const Triangle& points = this->Mesh.Triangles[t];
-            return this->Mesh.IsAlive(t) && std::any_of(points.begin(), points.end(), isWithin);
-          });
+      const Triangle& corners = this->Mesh.Triangles[t];
+      return this->Mesh.IsAlive(t) && std::any_of(corners.begin(), corners.end(), isWithin);
     });
 }
 
