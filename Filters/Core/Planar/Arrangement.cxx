@@ -20,7 +20,7 @@ constexpr int Growths = 4;
 constexpr double Growth = 10;
 // Outlines cross in a few places an edge. Every edge with every other, as scribbles do, is allowed
 // up to the first figure.
-constexpr std::size_t FewEdges = 1000000;
+constexpr std::size_t FewEdges = 100000;
 constexpr std::size_t EdgesEach = 40;
 
 }

@@ -3,6 +3,7 @@
 
 #include "Base/Text.h"
 #include "Mesh/CrossingRepair.h"
+#include "Mesh/OutwardPieces.h"
 #include "Mesh/PinchGap.h"
 #include "Polyhedral/FaceGroups.h"
 #include "Polyhedral/PinchedPoints.h"
@@ -176,6 +177,13 @@ private:
         (repaired.Left > 0 ? ", but " + Counted(repaired.Left, "pair") + " still " +
               (repaired.Left == 1 ? "does." : "do.")
                            : std::string(", so that it does not.")));
+    }
+    const std::size_t turned = TurnThinPiecesOutward(this->Result.Mesh, repair.Reach);
+    if (turned > 0)
+    {
+      this->Result.Report.push_back(Counted(turned, "piece") +
+        " of the surface, as thin as points are rounded, came out inside out and " +
+        (turned == 1 ? "was" : "were") + " turned over.");
     }
   }
 

@@ -15,6 +15,12 @@ TEST(DegenerateStacks, AFewTilted)
   ExpectSoundDegenerateStacks(1, 40, StackFrame::Tilted);
 }
 
+// Rounded to the coordinates of space, a piece of this came out inside out.
+TEST(DegenerateStacks, TiltedPieceAsThinAsRounding)
+{
+  ExpectSoundDegenerateStack(300735, StackFrame::Tilted);
+}
+
 // Rounded to the coordinates of space, sheets of these passed through one another.
 TEST(DegenerateStacks, TiltedSheetsThatTouch)
 {
