@@ -15,6 +15,7 @@
 
 #include "vtkAlgorithm.h"
 
+#include <algorithm>
 #include <chrono>
 #include <string>
 
@@ -48,7 +49,9 @@ protected:
       this->Algorithm->SetProgressText(stage);
     }
     this->Last = now;
-    this->Algorithm->UpdateProgress(this->From + fraction * (this->To - this->From));
+    // Stages that estimate their share, or repeat, would have the bar go back.
+    this->Highest = std::max(this->Highest, fraction);
+    this->Algorithm->UpdateProgress(this->From + this->Highest * (this->To - this->From));
   }
 
 private:
@@ -67,6 +70,7 @@ private:
   vtkAlgorithm* Algorithm;
   double From;
   double To;
+  double Highest = 0;
   std::string Stage;
   std::chrono::steady_clock::time_point Last{};
 };

@@ -164,4 +164,15 @@ blocks = [out.GetPartition(i, 0) if out.GetNumberOfPartitions(i) else None for i
 sizes = [block.GetNumberOfCells() if block else 0 for block in blocks]
 ct.check(sizes[0] == 12 and sizes[2] == 12, f"the good regions have surfaces: {sizes}")
 ct.check(sizes[1] == 0 and listener.lines, "the bad one has none, and says why")
+
+# Progress begins, ends, and never goes back, whichever stages repeat.
+tower = [finer(square(float(z), 3 - 0.2 * z)) for z in range(8)]
+for node in (simple.PolyhedralSurface(Input=loops(*tower), EndCaps="Extrapolated"), simple.FairSurface(Input=loops(*tower)),
+             simple.ImplicitSurface(Input=loops(*tower))):
+    seen = []
+    tag = node.GetClientSideObject().AddObserver("ProgressEvent", lambda caller, _, seen=seen: seen.append(caller.GetProgress()))
+    node.UpdatePipeline()
+    node.GetClientSideObject().RemoveObserver(tag)
+    ct.check(len(seen) > 3 and seen == sorted(seen) and seen[0] < 0.5,
+             f"progress of {node.GetXMLName()} never goes back: {seen[:12]}")
 ct.finish()

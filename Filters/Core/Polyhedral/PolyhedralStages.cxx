@@ -28,6 +28,9 @@ namespace
 /// rounds of them what is left are acute tips, which no point can cover.
 constexpr int Rounds = 3;
 
+/// The progress when it is known what is joined to what.
+constexpr double MappedAt = 0.15;
+
 /// Drawn contours have at most a few T12 a triangle; with more than this it is quicker, and takes
 /// far less memory, to make those at the boundary only.
 constexpr std::size_t MostT12ATriangle = 8;
@@ -65,12 +68,13 @@ public:
     this->Runner.Timed("map contours",
       [&]
       {
-        this->Out.Mapping = MapSlabs(
-          this->Contours, this->Options, this->Slabs, this->Out.Report, this->Runner.GetMonitor());
+        SubMonitor mapping = this->Runner.MonitorOf(0, MappedAt);
+        this->Out.Mapping =
+          MapSlabs(this->Contours, this->Options, this->Slabs, this->Out.Report, mapping);
         if (this->Extrapolates())
         {
-          this->Shapes.emplace(
-            this->Contours, this->Out.Mapping, this->Options, this->Runner.GetMonitor());
+          SubMonitor sections = this->Runner.MonitorOf(MappedAt, MappedAt);
+          this->Shapes.emplace(this->Contours, this->Out.Mapping, this->Options, sections);
           this->ShapesOf.resize(this->Levels.size());
         }
       });
@@ -88,7 +92,7 @@ public:
 private:
   void TriangulateLevels()
   {
-    this->Runner.ForAll(this->Levels.size(), 0, 0.3, "triangulating slices",
+    this->Runner.ForAll(this->Levels.size(), MappedAt, 0.3, "triangulating slices",
       [&](int i)
       {
         this->Levels[i].Triangulator = std::make_unique<LevelTriangulator>(this->Contours, i);

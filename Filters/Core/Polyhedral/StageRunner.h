@@ -8,6 +8,7 @@
 
 #include "Base/Monitor.h"
 #include "Base/Parallel.h"
+#include "Base/SubMonitor.h"
 
 #include <algorithm>
 #include <chrono>
@@ -53,7 +54,12 @@ public:
       { from * this->ProgressEnd, to * this->ProgressEnd, stage });
   }
 
-  Monitor& GetMonitor() const { return this->Observer; }
+  /// For a stage that has progress of its own.
+  SubMonitor MonitorOf(double from, double to) const
+  {
+    return SubMonitor(this->Observer, from * this->ProgressEnd, to * this->ProgressEnd);
+  }
+
   const std::vector<std::pair<std::string, double>>& GetSeconds() const { return this->Seconds; }
 
 private:
