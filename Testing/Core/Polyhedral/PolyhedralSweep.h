@@ -129,7 +129,7 @@ inline const Case NetworkCases[] = {
   { "csl/Vetebrae.csl", 1 },
   { "contour/ctrmapping.contour", 1 },
   { "contour/eight_15.contour", 1 },
-  { "contour/inconsistent_Bermano.contour", 0 },
+  { "contour/inconsistent_Bermano.contour", 1 },
   { "contour/inconsistent_ferretbrain.contour", 1 },
   { "contour/inconsistent_mousebrain.contour", 3 },
   { "contour/inconsistent_newliver.contour", 1 },
