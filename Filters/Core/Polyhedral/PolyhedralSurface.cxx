@@ -147,10 +147,6 @@ private:
 
   void UndoCrossings()
   {
-    if (!this->PointsRound())
-    {
-      return;
-    }
     CrossingRepairOptions repair;
     repair.Reach = LargestNudge * MedianEdgeLength(this->Result.Mesh);
     repair.Frame = this->Contours.Levels[0].Frame;
@@ -178,7 +174,8 @@ private:
               (repaired.Left == 1 ? "does." : "do.")
                            : std::string(", so that it does not.")));
     }
-    const std::size_t turned = TurnThinPiecesOutward(this->Result.Mesh, repair.Reach);
+    const bool mayTurn = this->PointsRound() || repaired.Found > 0;
+    const std::size_t turned = mayTurn ? TurnThinPiecesOutward(this->Result.Mesh, repair.Reach) : 0;
     if (turned > 0)
     {
       this->Result.Report.push_back(Counted(turned, "piece") +

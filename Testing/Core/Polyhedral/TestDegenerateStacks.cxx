@@ -15,6 +15,12 @@ TEST(DegenerateStacks, AFewTilted)
   ExpectSoundDegenerateStacks(1, 40, StackFrame::Tilted);
 }
 
+// Points that were computed for it are rounded in upright planes, too.
+TEST(DegenerateStacks, UprightSheetsThatRoundingCrosses)
+{
+  ExpectSoundDegenerateStack(700031);
+}
+
 // Rounded to the coordinates of space, a piece of this came out inside out.
 TEST(DegenerateStacks, TiltedPieceAsThinAsRounding)
 {
