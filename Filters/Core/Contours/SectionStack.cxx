@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Contours/SectionStack.h"
 
+#include "Base/Angles.h"
 #include "Base/DisjointSets.h"
 
 #include <algorithm>
@@ -13,7 +14,7 @@ namespace recon
 namespace
 {
 /// Half the second derivative of a ball's section along the stack.
-constexpr double HalfBendOfBall = -3.14159265358979323846;
+constexpr double HalfBendOfBall = -Pi;
 }
 
 double SectionParabola::Integral(double t) const

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Mesh/PinchGap.h"
 
-#include "Base/DisjointSets.h"
 #include "Base/Median.h"
 #include "Mesh/MassProperties.h"
+#include "Mesh/TriangleComponents.h"
 #include "Mesh/TriangleMeasures.h"
 #include "Mesh/TrianglePair.h"
 #include "Mesh/TriangleTree.h"
@@ -120,23 +120,8 @@ private:
   /// What is connected by index, and how much it holds before anything moves.
   void FindPieces()
   {
-    DisjointSets sets(this->Mesh.Points.size());
-    for (const auto& corners : this->Mesh.Triangles)
-    {
-      sets.Join(corners[0], corners[1]);
-      sets.Join(corners[0], corners[2]);
-    }
-    std::vector<int> numberOf(this->Mesh.Points.size(), -1);
-    for (const auto& corners : this->Mesh.Triangles)
-    {
-      int& number = numberOf[sets.Find(corners[0])];
-      if (number < 0)
-      {
-        number = this->Pieces++;
-      }
-      this->PieceOf.push_back(number);
-    }
-    this->Volumes = ComputeSignedVolumes(this->Mesh, this->PieceOf, this->Pieces);
+    this->Pieces = FindTriangleComponents(this->Mesh);
+    this->Volumes = ComputeSignedVolumes(this->Mesh, this->Pieces.Of, this->Pieces.Count);
   }
 
   /// Normals of a fan's faces, turned so that they look away from the axis of its cone: out of the
@@ -394,14 +379,15 @@ private:
     std::vector<char> isLookedAt(this->Volumes.size(), 0);
     for (const int t : triangles)
     {
-      isLookedAt[this->PieceOf[t]] = 1;
+      isLookedAt[this->Pieces.Of[t]] = 1;
     }
-    std::vector<int> pieceOf = this->PieceOf;
+    std::vector<int> pieceOf = this->Pieces.Of;
     for (int& piece : pieceOf)
     {
       piece = isLookedAt[piece] ? piece : -1;
     }
-    const std::vector<double> volumes = ComputeSignedVolumes(this->Mesh, pieceOf, this->Pieces);
+    const std::vector<double> volumes =
+      ComputeSignedVolumes(this->Mesh, pieceOf, this->Pieces.Count);
     for (std::size_t t = 0; t < pieceOf.size(); ++t)
     {
       const int piece = pieceOf[t];
@@ -447,8 +433,7 @@ private:
   std::vector<Move> Moves;
   std::vector<Move> Stays; ///< by place the point that stays, and how it could go
   std::vector<int> MoveOf; ///< of a point, or -1
-  int Pieces = 0;
-  std::vector<int> PieceOf;    ///< of a triangle
+  TriangleComponents Pieces;
   std::vector<double> Volumes; ///< of the pieces, before any move
 };
 }

@@ -25,10 +25,10 @@ namespace recon
  * vertex-manifold by index, not crossing itself. Every contour vertex that is not named in Report
  * is a point of it, to the last bit.
  *
- * Topology is decided exactly in the planes of the levels. Where the coordinates of space are not those
- * of the planes (planes that are not perpendicular to an axis, levels shifted onto one another), points
- * round, and contour vertices stay where they were given, up to a thousandth of a slab beside their
- * plane. What crosses for that is found by exact predicates in the coordinates that are given out, and
+ * Topology is decided exactly in the planes of the levels. Points that were computed are rounded, and
+ * where the coordinates of space are not those of the planes (planes that are not perpendicular to an
+ * axis, levels shifted onto one another) all are, and contour vertices stay where they were given, up
+ * to a thousandth of a slab beside their plane. What crosses for that is found by exact predicates in the coordinates that are given out, and
  * points that are no contour's move until nothing does (CrossingRepair.h), with a line in Report.
  */
 struct PolyhedralSurface
