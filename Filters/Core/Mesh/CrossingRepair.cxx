@@ -8,7 +8,7 @@
 #include "Mesh/MeshTopology.h"
 #include "Mesh/TriangleMeasures.h"
 #include "Mesh/TrianglePair.h"
-#include "Mesh/TriangleTree.h"
+#include "Mesh/TurnedBoxes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,8 +37,6 @@ constexpr double ShortestInSteps = 2;
 constexpr std::size_t MostPairs = 8;
 /// Triangles that one piece of parallel work looks at.
 constexpr std::size_t TrianglesAPiece = 512;
-/// Turning a point into another frame rounds by less than this many steps of its largest coordinate.
-constexpr double TurnInSteps = 16;
 
 using Pair = std::pair<int, int>;
 
@@ -46,54 +44,6 @@ double LargestOf(const Point3& p)
 {
   return std::max({ std::abs(p[0]), std::abs(p[1]), std::abs(p[2]) });
 }
-
-/// A tree of the boxes that triangles have in a frame, grown by what turning them into it rounds.
-class TurnedBoxes
-{
-public:
-  TurnedBoxes(const TriangleMesh& mesh, const PlanarFrame& frame)
-    : Frame(frame),
-      Turned(mesh),
-      Tree((this->Turn(), this->Turned))
-  {
-  }
-
-  /// Calls visit(i) for every triangle that may come nearer to triangle t than `distance`, if those
-  /// are where they were and t is where it is now.
-  template <typename Visitor>
-  void VisitNear(const TriangleMesh& mesh, int t, double distance, const Visitor& visit) const
-  {
-    Box3 box;
-    for (const int p : mesh.Triangles[static_cast<std::size_t>(t)])
-    {
-      box.Add(this->ToFrame(mesh.Points[p]));
-    }
-    this->Tree.VisitMeeting(box.Grown(distance + 2 * this->Rounding), visit);
-  }
-
-private:
-  Point3 ToFrame(const Point3& p) const
-  {
-    const Point2 planar = this->Frame.ToPlane(p);
-    return { planar[0], planar[1], this->Frame.OffsetOf(p) };
-  }
-
-  void Turn()
-  {
-    double largest = 0;
-    for (Point3& p : this->Turned.Points)
-    {
-      largest = std::max(largest, LargestOf(p));
-      p = this->ToFrame(p);
-    }
-    this->Rounding = TurnInSteps * std::numeric_limits<double>::epsilon() * largest;
-  }
-
-  PlanarFrame Frame;
-  double Rounding = 0;
-  TriangleMesh Turned;
-  TriangleTree Tree;
-};
 
 class Repair
 {
@@ -133,9 +83,18 @@ public:
   }
 
 private:
+  /// Those of which one triangle at least is in doubt.
   std::vector<Pair> FindBadPairs()
   {
-    this->Boxes = std::make_unique<TurnedBoxes>(this->Mesh, this->Options.Frame);
+    const std::vector<int> doubtful = this->FindDoubtfulTriangles();
+    this->Boxes.reset();
+    if (doubtful.empty())
+    {
+      return {};
+    }
+    const bool areAll = doubtful.size() == this->Mesh.Triangles.size();
+    auto boxes = std::make_unique<TurnedBoxes>(
+      areAll ? this->Mesh : PartOf(this->Mesh, doubtful), this->Options.Frame);
     const std::size_t count = this->Mesh.Triangles.size();
     std::vector<std::vector<Pair>> pieces(count / TrianglesAPiece + 1);
     const auto examine = [&](std::size_t from, std::size_t to)
@@ -143,12 +102,15 @@ private:
       for (std::size_t t = from; t < to; ++t)
       {
         const int first = static_cast<int>(t);
-        this->Boxes->VisitNear(this->Mesh, first, 0,
-          [&](int other)
+        const bool isDoubtful = this->IsDoubtful(first);
+        boxes->VisitNear(this->Mesh, first, 0,
+          [&](int found)
           {
-            if (other > first && this->IsBad(first, other))
+            const int other = doubtful[found];
+            if (isDoubtful ? other > first && this->IsBad(first, other)
+                           : this->IsBad(std::min(first, other), std::max(first, other)))
             {
-              pieces[from / TrianglesAPiece].emplace_back(first, other);
+              pieces[from / TrianglesAPiece].push_back(std::minmax(first, other));
             }
           });
       }
@@ -157,12 +119,51 @@ private:
     ParallelForBlocks(
       count, TrianglesAPiece, this->Options.Threads, examine, silent, ProgressRange(), 4);
     std::vector<Pair> bad;
-    for (std::vector<Pair>& piece : pieces)
+    for (const std::vector<Pair>& piece : pieces)
     {
-      std::sort(piece.begin(), piece.end());
       bad.insert(bad.end(), piece.begin(), piece.end());
     }
+    std::sort(bad.begin(), bad.end());
+    if (areAll)
+    {
+      this->Boxes = std::move(boxes);
+    }
     return bad;
+  }
+
+  bool IsDoubtful(int triangle) const
+  {
+    const auto isOff = [this](int p)
+    {
+      return this->Changed[p] != 0 || p >= static_cast<int>(this->Options.IsExact.size()) ||
+        this->Options.IsExact[p] == 0;
+    };
+    const auto& corners = this->Mesh.Triangles[triangle];
+    return std::any_of(corners.begin(), corners.end(), isOff);
+  }
+
+  std::vector<int> FindDoubtfulTriangles() const
+  {
+    std::vector<int> doubtful;
+    for (int t = 0; t < static_cast<int>(this->Mesh.Triangles.size()); ++t)
+    {
+      if (this->IsDoubtful(t))
+      {
+        doubtful.push_back(t);
+      }
+    }
+    return doubtful;
+  }
+
+  /// Those triangles of the mesh, with all of its points.
+  static TriangleMesh PartOf(const TriangleMesh& mesh, const std::vector<int>& triangles)
+  {
+    TriangleMesh part{ mesh.Points, {} };
+    for (int t : triangles)
+    {
+      part.Triangles.push_back(mesh.Triangles[t]);
+    }
+    return part;
   }
 
   /// The triangles cross or overlap; or, where either has changed, touch elsewhere than in a place that
@@ -208,6 +209,10 @@ private:
   /// Returns whether any point was moved.
   bool MovePoints(const std::vector<Pair>& bad)
   {
+    if (!this->Boxes)
+    {
+      this->Boxes = std::make_unique<TurnedBoxes>(this->Mesh, this->Options.Frame);
+    }
     this->FindPlacesAndFans(bad);
     bool any = false;
     for (const std::vector<int>& place : this->Places)

@@ -27,6 +27,10 @@ struct CrossingRepairOptions
 {
   /// Of a point of the mesh. Of those that may not, one stays in each place where there are some.
   std::vector<char> MayMove;
+  /// Of a point of the mesh, whether it is where it was decided, to the last bit: triangles of which no
+  /// corner is off do not cross one another, and are looked at only once one was moved. Empty: any may
+  /// be off.
+  std::vector<char> IsExact;
   double Reach = 0; ///< in the units of the mesh, positive
   /// Boxes are taken along its axes: those of the planes of a stack make the search quick. The result
   /// does not depend on it.

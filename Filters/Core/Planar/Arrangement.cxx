@@ -50,8 +50,17 @@ void Arrangement::Resolve()
     {
       tolerance *= Growth;
     }
+    this->Unsettle();
   }
   throw Error("Contours cross in more places than double precision can tell apart.");
+}
+
+void Arrangement::Unsettle()
+{
+  for (PlanarEdge& e : this->All)
+  {
+    e.IsSettled = false;
+  }
 }
 
 bool Arrangement::ResolveWithin(int passes)
@@ -79,6 +88,7 @@ bool Arrangement::ResolveWithin(int passes)
     else
     {
       this->Merge(std::move(conflicts.SamePlace));
+      this->Unsettle();
     }
   }
   return false;
@@ -237,12 +247,13 @@ void Arrangement::SplitEdge(
       return x[k] != y[k] ? sign * x[k] < sign * y[k] : x[1 - k] < y[1 - k];
     });
   int from = e.A;
+  const bool isWhole = inner.empty();
   inner.push_back(e.B);
   for (int p : inner)
   {
     if (p != from)
     {
-      out.push_back({ from, p, e.Tag, e.Weight });
+      out.push_back({ from, p, e.Tag, e.Weight, isWhole });
       from = p;
     }
   }

@@ -72,6 +72,7 @@ public:
 
 private:
   bool ResolveWithin(int passes);
+  void Unsettle();
   void SumEqual();
   void Merge(std::vector<EdgeConflicts::Twins> twins);
   void MoveEnds(const std::vector<int>& standIn);

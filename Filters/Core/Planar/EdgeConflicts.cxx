@@ -65,21 +65,25 @@ private:
 
   void Search()
   {
-    std::vector<EdgeBox> boxes;
+    std::vector<EdgeBox> boxes, settled;
     boxes.reserve(this->Edges.size());
     for (std::size_t i = 0; i < this->Edges.size(); ++i)
     {
       const Point2& a = this->At(this->Edges[i].A);
       const Point2& b = this->At(this->Edges[i].B);
       const double near = this->ToleranceOf(this->Edges[i]);
-      boxes.emplace_back(CGAL::Bbox_2(std::min(a[0], b[0]) - near, std::min(a[1], b[1]) - near,
-                           std::max(a[0], b[0]) + near, std::max(a[1], b[1]) + near),
-        static_cast<int>(i));
+      const CGAL::Bbox_2 box(std::min(a[0], b[0]) - near, std::min(a[1], b[1]) - near,
+        std::max(a[0], b[0]) + near, std::max(a[1], b[1]) + near);
+      (this->Edges[i].IsSettled ? settled : boxes).emplace_back(box, static_cast<int>(i));
       this->AddTwins(this->Edges[i].A, this->Edges[i].B, static_cast<int>(i), static_cast<int>(i));
     }
-    CGAL::box_self_intersection_d(boxes.begin(), boxes.end(),
-      [this](const EdgeBox& x, const EdgeBox& y)
-      { this->Test(std::min(x.info(), y.info()), std::max(x.info(), y.info())); });
+    const auto test = [this](const EdgeBox& x, const EdgeBox& y)
+    { this->Test(std::min(x.info(), y.info()), std::max(x.info(), y.info())); };
+    CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), test);
+    if (!settled.empty())
+    {
+      CGAL::box_intersection_d(boxes.begin(), boxes.end(), settled.begin(), settled.end(), test);
+    }
   }
 
   const Point2& At(int p) const { return this->Points[p]; }

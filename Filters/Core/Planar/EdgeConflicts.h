@@ -23,6 +23,7 @@ struct PlanarEdge
   /// Times walked from A to B, less those from B to A; or how the label to its left differs from the
   /// one to its right.
   std::int64_t Weight = 1;
+  bool IsSettled = false; ///< known to have no conflict with any other that is settled
 };
 
 /// The edges of a closed walk.
@@ -66,7 +67,7 @@ struct EdgeConflicts
 };
 
 /**
- * All of them, in an order that does not depend on the search.
+ * All of them but between two edges that are settled, in an order that does not depend on the search.
  *
  * What comes nearer than the tolerance touches; everything else is decided exactly. Where there is
  * no conflict, no point lies within the tolerance of another, or of an edge that it is no end of.

@@ -106,7 +106,7 @@ private:
   const VertexStars& Stars;
   std::vector<int> Apices;
   std::vector<int> Stack;
-  std::optional<LevelSearch> Search;
+  std::optional<VertexSearch> Search;
 };
 
 std::vector<int> FindApices(const LevelTriangulation& own, const CircumcentreDistance& distance,

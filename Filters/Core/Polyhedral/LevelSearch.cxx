@@ -81,15 +81,18 @@ double EarliestIn(const Box2& box, const PlanarLine& line, double tolerance)
 }
 }
 
+VertexSearch::VertexSearch(const LevelTriangulation& level) : Level(level), Vertices(BoxesOf(level))
+{
+}
+
 LevelSearch::LevelSearch(const LevelTriangulation& level)
-  : Level(level),
+  : VertexSearch(level),
     Edges(ContourEdgesOf(level)),
-    Vertices(BoxesOf(level)),
     Contours(BoxesOf(level, Edges))
 {
 }
 
-int LevelSearch::NearestVertex(const Point2& p) const
+int VertexSearch::NearestVertex(const Point2& p) const
 {
   return this->Vertices
     .Least([&](const Box2& box) { return box.SquaredDistanceTo(p); },

@@ -31,13 +31,26 @@ struct LineInterval
   double To;
 };
 
-class LevelSearch
+class VertexSearch
+{
+public:
+  /// The level must outlive the search.
+  explicit VertexSearch(const LevelTriangulation& level);
+
+  int NearestVertex(const Point2& p) const;
+
+protected:
+  const LevelTriangulation& Level;
+
+private:
+  BoxTree Vertices;
+};
+
+class LevelSearch : public VertexSearch
 {
 public:
   /// The level must outlive the search.
   explicit LevelSearch(const LevelTriangulation& level);
-
-  int NearestVertex(const Point2& p) const;
 
   /// The interval in which a contour edge is nearer to the line than that, beginning first of all
   /// that reach into the line; none where no edge does.
@@ -46,9 +59,7 @@ public:
 private:
   std::optional<LineInterval> Near(int edge, const PlanarLine& line, double tolerance) const;
 
-  const LevelTriangulation& Level;
   std::vector<std::array<int, 2>> Edges; ///< of contours: points
-  BoxTree Vertices;
   BoxTree Contours;
 };
 }

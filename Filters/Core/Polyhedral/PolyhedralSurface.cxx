@@ -72,6 +72,13 @@ private:
                          : this->Stages.Levels[vertex.Level].Triangulation.Kind[vertex.Local];
   }
 
+  /// Whether the point that was decided on is the one that is given out, to the last bit.
+  bool IsExact(const SolidComplex::Vertex& vertex, const Point3& position) const
+  {
+    return vertex.Local >= 0 && !this->PointsRound() &&
+      position == this->Contours.Levels[0].Frame.ToSpace(vertex.Planar, vertex.Height);
+  }
+
   void CopyPoints(const SolidComplex& solid, const SolidBoundary& boundary)
   {
     for (const auto& point : boundary.Points)
@@ -79,6 +86,8 @@ private:
       const auto& vertex = solid.Vertices[point.Vertex];
       Point3 position = this->PositionOf(vertex);
       int kind = this->KindOf(vertex);
+      this->IsPointExact.push_back(
+        point.OtherVertex < 0 && this->IsExact(vertex, position) ? 1 : 0);
       if (point.OtherVertex >= 0)
       {
         position = 0.5 * (position + this->PositionOf(solid.Vertices[point.OtherVertex]));
@@ -135,6 +144,7 @@ private:
       for (int original : CutPinchedPoints(this->Result.Mesh))
       {
         this->Result.PointKind.push_back(this->Result.PointKind[original]);
+        this->IsPointExact.push_back(this->IsPointExact[original]);
       }
     }
   }
@@ -148,6 +158,7 @@ private:
   void UndoCrossings()
   {
     CrossingRepairOptions repair;
+    repair.IsExact = this->IsPointExact;
     repair.Reach = LargestNudge * MedianEdgeLength(this->Result.Mesh);
     repair.Frame = this->Contours.Levels[0].Frame;
     repair.Threads = this->Options.Threads;
@@ -232,6 +243,7 @@ private:
   const PolyhedralOptions& Options;
   const PolyhedralStages& Stages;
   Monitor& Observer;
+  std::vector<char> IsPointExact; ///< see IsExact; points that were computed from others are not
   PolyhedralSurface Result;
 };
 }

@@ -78,6 +78,30 @@ TEST(CrossingRepair, LeavesWhatDoesNotCross)
   }
 }
 
+// What is exact crosses nothing else that is, so only the box that is off is looked at, with the same result.
+TEST(CrossingRepair, LooksOnlyAtTrianglesWithAPointThatMayBeOff)
+{
+  const TriangleMesh whole = StackedBoxes(1e-9);
+  const std::vector<char> mayMove(whole.Points.size(), 1);
+  CrossingRepairOptions options;
+  options.MayMove = mayMove;
+  options.Reach = 1e-3;
+  options.Threads = 1;
+  Monitor monitor;
+  TriangleMesh all = whole, half = whole, none = whole;
+  const CrossingRepairResult ofAll = UndoCrossings(all, options, monitor);
+  options.IsExact.assign(8, 1); // the lower box; what is not named may be off
+  const CrossingRepairResult ofHalf = UndoCrossings(half, options, monitor);
+  options.IsExact.assign(whole.Points.size(), 1);
+  const CrossingRepairResult ofNone = UndoCrossings(none, options, monitor);
+  ExpectRepaired(half, ofHalf);
+  EXPECT_EQ(ofHalf.Found, ofAll.Found);
+  EXPECT_EQ(half.Points, all.Points);
+  EXPECT_EQ(half.Triangles, all.Triangles);
+  EXPECT_EQ(ofNone.Found, 0u);
+  EXPECT_EQ(none.Points, whole.Points);
+}
+
 TEST(CrossingRepair, MovesAboutAsFarAsPointsAreOff)
 {
   for (const double depth : { 1e-14, 1e-12, 1e-9, 1e-6 })
