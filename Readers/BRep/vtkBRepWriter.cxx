@@ -4,10 +4,9 @@
 #include "Base/SubMonitor.h"
 #include "BRep/BRepContours.h"
 #include "BRep/BRepFormatter.h"
-#include "Common/RegionFiles.h"
+#include "Common/RegionWriting.h"
 #include "ContourConversion.h"
 #include "RunCore.h"
-#include "SurfaceBlocks.h"
 #include "vtkContourMonitor.h"
 
 #include "vtkCellData.h"
@@ -47,34 +46,6 @@ std::vector<recon::SpaceLoop> LoopsOf(
     AppendLoops(contours, loops, monitor);
   }
   return loops;
-}
-
-/// Blocks with a surface; those without triangles are regions of which nothing was made.
-std::vector<recon::NamedPolyData> FilledOf(vtkDataObject* collection)
-{
-  std::vector<recon::NamedPolyData> filled;
-  for (const recon::NamedPolyData& region : recon::ListPolyData(collection))
-  {
-    if (region.Data->GetNumberOfPolys() > 0)
-    {
-      filled.push_back(region);
-    }
-  }
-  if (filled.empty())
-  {
-    throw recon::Error("No block of the collection has a surface to write.");
-  }
-  return filled;
-}
-
-std::vector<std::string> NamesOf(const std::vector<recon::NamedPolyData>& regions)
-{
-  std::vector<std::string> names;
-  for (const recon::NamedPolyData& region : regions)
-  {
-    names.push_back(region.Name);
-  }
-  return names;
 }
 
 /// The shell set of every triangle; empty where the surface does not tell.
@@ -143,29 +114,16 @@ void vtkBRepWriter::WriteSurface(
 
 void vtkBRepWriter::WriteRegions()
 {
-  const std::vector<recon::NamedPolyData> regions = FilledOf(this->GetInput());
+  const std::vector<recon::NamedPolyData> regions = recon::FilledRegions(this->GetInput());
   const std::vector<vtkPolyData*> contours = recon::MatchContours(regions, this->GetInput(1));
-  const std::vector<std::string> files = recon::RegionFileNames(this->FileName, NamesOf(regions));
-  std::string failed;
-  for (std::size_t r = 0; r < regions.size(); ++r)
-  {
-    const auto count = static_cast<double>(regions.size());
-    vtkContourMonitor monitor(
-      this, static_cast<double>(r) / count, static_cast<double>(r + 1) / count);
-    try
+  const auto count = static_cast<double>(regions.size());
+  recon::WriteRegionFiles(regions, this->FileName,
+    [&](std::size_t r, const std::string& file)
     {
-      this->WriteSurface(regions[r].Data, contours[r], files[r], monitor);
-    }
-    catch (const recon::Error& error)
-    {
-      // The other regions are written all the same.
-      failed += (failed.empty() ? "" : " ") + ("\"" + regions[r].Name + "\": " + error.what());
-    }
-  }
-  if (!failed.empty())
-  {
-    throw recon::Error(failed);
-  }
+      vtkContourMonitor monitor(
+        this, static_cast<double>(r) / count, static_cast<double>(r + 1) / count);
+      this->WriteSurface(regions[r].Data, contours[r], file, monitor);
+    });
 }
 
 void vtkBRepWriter::WriteData()

@@ -16,8 +16,8 @@ from vtkmodules.vtkIOGeometry import vtkSTLReader, vtkSTLWriter
 
 SOURCE = sys.argv[1]
 MODULES = ("BRepReaders", "ContourFilters", "CurveNetworkReaders", "DICOMReaders", "ImplicitFilters", "NUAGESReaders",
-           "PolyhedralFilters", "TraceReaders")
-LEAST_CLASSES = 25
+           "PolyhedralFilters", "STLWriters", "TraceReaders")
+LEAST_CLASSES = 26
 FLAT = 0  # the choice of EndCaps
 SAME_VOLUME = 1e-6  # relative; VTK has a sum of its own
 LIKE_VOLUME = 0.1  # relative, of the three methods among each other

@@ -9,14 +9,14 @@
  *                      on the number of threads
  * RECON_CLONES_WIDEST  the same up to the widest registers; compiled with -ffp-contract=off, exact
  *
- * Other processors and compilers, and the address sanitizer, which cannot follow the choice, make
+ * Other processors and compilers, and the sanitizers, which cannot follow the choice, make
  * the plain version alone. For .cxx files only.
  */
 #ifndef recon_SimdClones_h
 #define recon_SimdClones_h
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
-  !defined(__SANITIZE_ADDRESS__)
+  !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define RECON_CLONES_EXACT __attribute__((target_clones("avx2", "default")))
 #define RECON_CLONES_FUSED __attribute__((target_clones("arch=haswell", "default")))
 #else
@@ -26,7 +26,7 @@
 
 // GCC before 12 does not know the levels by name.
 #if defined(__x86_64__) && defined(__GNUC__) && __GNUC__ >= 12 && !defined(__clang__) && \
-  !defined(__SANITIZE_ADDRESS__)
+  !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define RECON_CLONES_WIDEST \
   __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
 #else
