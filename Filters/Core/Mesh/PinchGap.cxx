@@ -256,8 +256,7 @@ private:
 
   void MoveWithoutCrossing()
   {
-    // Boxes of the mesh as it was: a moved triangle is within the gap of them.
-    const TriangleTree tree(this->Mesh);
+    const TriangleTree tree(this->Mesh, this->BoxesOfAllTrials());
     this->MoveOf.assign(this->Mesh.Points.size(), -1);
     this->Make(0, tree);
     // Where one point found no way, the one that stayed may find one instead of it.
@@ -275,6 +274,31 @@ private:
       }
     }
     this->Make(first, tree);
+  }
+
+  /// Around each triangle wherever its points may go. A shorter way along a step ends between the ends of the
+  /// whole one, also when it is rounded.
+  std::vector<Box3> BoxesOfAllTrials() const
+  {
+    std::vector<Box3> boxes;
+    for (std::size_t t = 0; t < this->Mesh.Triangles.size(); ++t)
+    {
+      boxes.push_back(BoxOf(this->Mesh, static_cast<int>(t)));
+    }
+    for (const std::vector<Move>* moves : { &this->Moves, &this->Stays })
+    {
+      for (const Move& move : *moves)
+      {
+        for (const int t : this->Fans[this->FanOf[move.Point]])
+        {
+          for (const Vector3& step : move.Steps)
+          {
+            boxes[t].Add(move.From + step);
+          }
+        }
+      }
+    }
+    return boxes;
   }
 
   /// Stays are in the order of the places.
@@ -345,10 +369,11 @@ private:
     };
     for (int t : triangles)
     {
-      tree.VisitMeeting(BoxOf(this->Mesh, t).Grown(2 * this->Gap),
+      const Box3 box = BoxOf(this->Mesh, t);
+      tree.VisitMeeting(box,
         [&](int other)
         {
-          if (other == t)
+          if (other == t || !BoxOf(this->Mesh, other).Meets(box))
           {
             return;
           }

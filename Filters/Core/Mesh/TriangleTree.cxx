@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Mesh/TriangleTree.h"
 
+#include "Mesh/TriangleMeasures.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -45,12 +47,24 @@ double SquaredDistanceToTriangle(const Point3& p, const Point3& a, const Point3&
   return std::min({ SquaredDistanceToSegment(p, a, b), SquaredDistanceToSegment(p, b, c),
     SquaredDistanceToSegment(p, c, a) });
 }
+
+std::vector<Box3> BoxesOf(const TriangleMesh& mesh)
+{
+  std::vector<Box3> boxes(mesh.Triangles.size());
+  for (std::size_t t = 0; t < boxes.size(); ++t)
+  {
+    boxes[t] = BoxOf(mesh, static_cast<int>(t));
+  }
+  return boxes;
+}
 }
 
-TriangleTree::TriangleTree(const TriangleMesh& mesh) : Mesh(mesh)
+TriangleTree::TriangleTree(const TriangleMesh& mesh) : TriangleTree(mesh, BoxesOf(mesh)) {}
+
+TriangleTree::TriangleTree(const TriangleMesh& mesh, const std::vector<Box3>& boxes) : Mesh(mesh)
 {
   this->SortTriangles();
-  this->BuildBoxes();
+  this->BuildBoxes(boxes);
 }
 
 void TriangleTree::SortTriangles()
@@ -86,7 +100,7 @@ void TriangleTree::SortTriangles()
   }
 }
 
-void TriangleTree::BuildBoxes()
+void TriangleTree::BuildBoxes(const std::vector<Box3>& boxes)
 {
   const int count = static_cast<int>(this->Order.size());
   this->NumberOfLeaves = (count + LeafSize - 1) / LeafSize;
@@ -97,12 +111,7 @@ void TriangleTree::BuildBoxes()
   this->TriangleBoxes.reserve(count);
   for (const int t : this->Order)
   {
-    Box3 box;
-    for (const int p : this->Mesh.Triangles[t])
-    {
-      box.Add(this->Mesh.Points[p]);
-    }
-    this->TriangleBoxes.push_back(box);
+    this->TriangleBoxes.push_back(boxes[t]);
   }
   this->Nodes.assign(2 * static_cast<std::size_t>(this->FirstLeaf), Box3());
   for (int i = 0; i < count; ++i)

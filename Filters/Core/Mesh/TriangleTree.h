@@ -34,6 +34,8 @@ public:
   static constexpr int LeafSize = 4; ///< triangles
 
   explicit TriangleTree(const TriangleMesh& mesh);
+  /// By boxes that are larger than the triangles, one each: around wherever they may be moved.
+  TriangleTree(const TriangleMesh& mesh, const std::vector<Box3>& boxes);
 
   int GetNumberOfLeaves() const { return this->NumberOfLeaves; }
 
@@ -54,7 +56,7 @@ public:
 
 private:
   void SortTriangles();
-  void BuildBoxes();
+  void BuildBoxes(const std::vector<Box3>& boxes);
   int FirstOfLeaf(int leaf) const { return leaf * LeafSize; }
   int EndOfLeaf(int leaf) const
   {

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <ctime>
 #include <map>
 #include <set>
 
@@ -200,4 +201,30 @@ TEST(PinchGap, RandomStacksAreManifoldInAFileWithoutIndices)
     EXPECT_NEAR(VolumeOf(surface.Mesh), VolumeOf(BuildSurface(contours, options).Mesh),
       1e-2 * VolumeOf(surface.Mesh));
   }
+}
+
+TEST(PinchGap, PiecesMuchSmallerThanTheGapTakeNoLongerThanOthers)
+{
+  // All of them are within one gap of one another, which says nothing about which of them may meet.
+  constexpr int Pairs = 2000;
+  constexpr double Small = 1e-7;
+  TriangleMesh mesh;
+  AddTetrahedron(mesh, { { { -9, 0, 0 }, { -8, 0, 0 }, { -9, 1, 0 }, { -9, 0, 1 } } });
+  for (int i = 0; i < Pairs; ++i)
+  {
+    const Point3 o{ 4 * Small * (i % 50), 4 * Small * (i / 50), 0 };
+    for (const double s : { Small, -Small })
+    {
+      AddTetrahedron(
+        mesh, { { o, o + Vector3{ s, 0, 0 }, o + Vector3{ 0, s, 0 }, o + Vector3{ 0, 0, s } } });
+    }
+  }
+  Monitor monitor;
+  // Of the processor, as other tests may run beside this one.
+  const std::clock_t start = std::clock();
+  const PinchGapResult result = OpenPinches(mesh, 1e-3, { 0, 0, 0 }, monitor);
+  EXPECT_LT(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, 5);
+  EXPECT_EQ(result.Places, static_cast<std::size_t>(Pairs));
+  EXPECT_EQ(result.Left, 0u);
+  ExpectManifoldWhenWelded(mesh);
 }
