@@ -22,7 +22,11 @@ constexpr double Growth = 10;
 // up to the first figure.
 constexpr std::size_t FewEdges = 100000;
 constexpr std::size_t EdgesEach = 40;
+}
 
+std::size_t MostPiecesOf(std::size_t edges)
+{
+  return FewEdges + EdgesEach * edges;
 }
 
 Arrangement::Arrangement(std::vector<Point2>& points, std::vector<PlanarEdge> edges,
@@ -31,7 +35,7 @@ Arrangement::Arrangement(std::vector<Point2>& points, std::vector<PlanarEdge> ed
     All(std::move(edges)),
     Tolerances(std::move(tolerances)),
     Sum(sum),
-    MostEdges(FewEdges + EdgesEach * this->All.size()),
+    MostEdges(MostPiecesOf(this->All.size())),
     Sets(this->Tolerances.size()),
     InConflict(this->Tolerances.size(), false),
     Found(this->Tolerances.size())

@@ -15,6 +15,9 @@
 
 namespace recon
 {
+/// Into how many pieces so many edges may fall, and how often they may cross.
+std::size_t MostPiecesOf(std::size_t edges);
+
 /**
  * @class Arrangement
  * @brief Tagged edges that in the end meet in common end points only.

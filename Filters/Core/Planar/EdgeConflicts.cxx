@@ -20,6 +20,19 @@ namespace
 {
 using EdgeBox = CGAL::Box_intersection_d::Box_with_info_d<double, 2, int>;
 
+/// The box about an edge, with so much around it.
+EdgeBox BoxAbout(const Point2& a, const Point2& b, double near, int edge)
+{
+  return { CGAL::Bbox_2(std::min(a[0], b[0]) - near, std::min(a[1], b[1]) - near,
+             std::max(a[0], b[0]) + near, std::max(a[1], b[1]) + near),
+    edge };
+}
+
+/// Found as many as were asked for.
+struct Enough
+{
+};
+
 class ConflictFinder
 {
 public:
@@ -240,6 +253,40 @@ EdgeConflicts FindEdgeConflicts(const std::vector<Point2>& points,
   std::size_t mostCrossings)
 {
   return ConflictFinder(points, edges, tolerances, mostCrossings).Find();
+}
+
+bool CrossMoreOftenThan(const std::vector<Point2>& points, const std::vector<PlanarEdge>& edges,
+  std::size_t mostCrossings)
+{
+  const auto at = [&](int p) { return points[static_cast<std::size_t>(p)]; };
+  std::vector<EdgeBox> boxes;
+  for (std::size_t i = 0; i < edges.size(); ++i)
+  {
+    boxes.push_back(BoxAbout(at(edges[i].A), at(edges[i].B), 0, static_cast<int>(i)));
+  }
+  std::size_t crossings = 0;
+  const auto count = [&](const EdgeBox& x, const EdgeBox& y)
+  {
+    const PlanarEdge& e = edges[static_cast<std::size_t>(x.info())];
+    const PlanarEdge& f = edges[static_cast<std::size_t>(y.info())];
+    const bool parts =
+      Orientation2(at(e.A), at(e.B), at(f.A)) * Orientation2(at(e.A), at(e.B), at(f.B)) < 0 &&
+      Orientation2(at(f.A), at(f.B), at(e.A)) * Orientation2(at(f.A), at(f.B), at(e.B)) < 0;
+    crossings += parts ? 1 : 0;
+    if (crossings > mostCrossings)
+    {
+      throw Enough();
+    }
+  };
+  try
+  {
+    CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), count);
+  }
+  catch (const Enough&)
+  {
+    return true;
+  }
+  return false;
 }
 
 Point2 CrossingPoint(const Point2& a, const Point2& b, const Point2& c, const Point2& d)

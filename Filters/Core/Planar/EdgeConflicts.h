@@ -83,6 +83,10 @@ EdgeConflicts FindEdgeConflicts(const std::vector<Point2>& points,
   const std::vector<PlanarEdge>& edges, const std::vector<double>& tolerances,
   std::size_t mostCrossings);
 
+/// Whether so many of them cross in inner points. Points and edges may be there twice.
+bool CrossMoreOftenThan(const std::vector<Point2>& points, const std::vector<PlanarEdge>& edges,
+  std::size_t mostCrossings);
+
 /// Where the lines of two edges meet: computed exactly, then rounded once.
 Point2 CrossingPoint(const Point2& a, const Point2& b, const Point2& c, const Point2& d);
 }

@@ -2,6 +2,8 @@
 #include "Planar/LoopTwins.h"
 
 #include "Base/BoundingBox.h"
+#include "Planar/Arrangement.h"
+#include "Planar/EdgeConflicts.h"
 #include "Planar/EdgeTree.h"
 #include "Planar/PlanarDifference.h"
 
@@ -164,12 +166,33 @@ private:
 
   bool IsTracedAgain(const LoopTwin& twin, double diagonal, double rounding)
   {
+    const auto isNear = [&](const Likeness& most)
+    { return twin.Apart <= most.Distance * diagonal; };
+    const bool twice = isNear(TracedTwice) && this->RunsOnBothSides(twin.Loop, twin.Of);
+    const bool withFewer = isNear(WithFewerPoints) &&
+      (this->LiesOn(twin.Loop, twin.Of, rounding) || this->LiesOn(twin.Of, twin.Loop, rounding));
+    if ((!twice && !withFewer) || this->CrossTooOften(twin))
+    {
+      return false;
+    }
     const double difference = this->DifferenceOf(twin);
-    const auto alike = [&](const Likeness& most)
-    { return difference <= most.Area && twin.Apart <= most.Distance * diagonal; };
-    return (alike(TracedTwice) && this->RunsOnBothSides(twin.Loop, twin.Of)) ||
-      (alike(WithFewerPoints) &&
-        (this->LiesOn(twin.Loop, twin.Of, rounding) || this->LiesOn(twin.Of, twin.Loop, rounding)));
+    return (twice && difference <= TracedTwice.Area) ||
+      (withFewer && difference <= WithFewerPoints.Area);
+  }
+
+  /// More often than their level may have crossings, which ends in a sentence whatever they are; their areas would take
+  /// long.
+  bool CrossTooOften(const LoopTwin& twin) const
+  {
+    std::vector<PlanarEdge> edges;
+    AddLoopEdges(this->Loops[twin.Loop], 0, edges);
+    AddLoopEdges(this->Loops[twin.Of], 0, edges);
+    std::size_t ofLevel = 0;
+    for (const std::vector<int>& loop : this->Loops)
+    {
+      ofLevel += loop.size();
+    }
+    return CrossMoreOftenThan(this->Points, edges, MostPiecesOf(ofLevel));
   }
 
   /// How far apart rounding alone can have put points of the two.

@@ -64,7 +64,7 @@ def read(name, data):
         points, triangles = numpy.asarray(points, dtype=float), numpy.asarray(triangles, dtype=int)
         points, number = numpy.unique(points, axis=0, return_inverse=True)
         return points, number.ravel()[triangles]
-    except (ValueError, KeyError, IndexError, AttributeError, NotImplementedError, TypeError):
+    except (ValueError, KeyError, IndexError, AttributeError, NotImplementedError, TypeError, ImportError):
         return None
 
 

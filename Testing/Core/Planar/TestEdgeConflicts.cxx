@@ -102,3 +102,20 @@ TEST(EdgeConflicts, WithoutToleranceEverythingIsExact)
       .Empty());
 }
 }
+
+TEST(EdgeConflicts, CrossingsAreCountedAsFarAsAsked)
+{
+  // A star of five rays: each edge crosses two others; walked twice, each crossing is there four times.
+  std::vector<Point2> points;
+  for (int i = 0; i < 5; ++i)
+  {
+    points.push_back({ std::cos(i * 4 * 3.14159265 / 5), std::sin(i * 4 * 3.14159265 / 5) });
+  }
+  std::vector<PlanarEdge> edges;
+  AddLoopEdges({ 0, 1, 2, 3, 4 }, 0, edges);
+  EXPECT_TRUE(CrossMoreOftenThan(points, edges, 4));
+  EXPECT_FALSE(CrossMoreOftenThan(points, edges, 5));
+  AddLoopEdges({ 0, 1, 2, 3, 4 }, 1, edges);
+  EXPECT_TRUE(CrossMoreOftenThan(points, edges, 19));
+  EXPECT_FALSE(CrossMoreOftenThan(points, edges, 20));
+}

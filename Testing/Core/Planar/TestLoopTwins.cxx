@@ -4,6 +4,8 @@
 #include "Core/Contours/SoupMaker.h"
 #include "Planar/LoopTwins.h"
 
+#include <ctime>
+
 using namespace recon;
 using namespace recon::testing;
 
@@ -209,4 +211,26 @@ TEST(LoopTwins, UnitsOfNumbers)
   EXPECT_EQ(UnitOf({ 1e60 / 3 }), 0);
   EXPECT_EQ(UnitOf({}), 1);
 }
+}
+
+TEST(LoopTwins, ScribblesOverOneAnotherAreNotComparedByArea)
+{
+  // Each crosses itself so often that its level ends in a sentence, whatever else it is.
+  std::mt19937 random(5);
+  std::normal_distribution<double> around(50, 10);
+  std::vector<Point2> points;
+  std::vector<std::vector<int>> loops(4);
+  for (std::vector<int>& loop : loops)
+  {
+    for (int i = 0; i < 1000; ++i)
+    {
+      loop.push_back(static_cast<int>(points.size()));
+      const double x = around(random);
+      points.push_back({ x, around(random) });
+    }
+  }
+  // Of the processor, as other tests may run beside this one.
+  const std::clock_t start = std::clock();
+  EXPECT_TRUE(FindLoopTwins(points, loops, { 0, 0, 0, 0 }, true).empty());
+  EXPECT_LT(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, 5);
 }
