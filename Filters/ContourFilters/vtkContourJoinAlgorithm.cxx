@@ -72,6 +72,8 @@ void vtkContourJoinAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "OverlapThreshold: " << this->OverlapThreshold << '\n'
      << indent << "MaximumGap: " << this->MaximumGap << '\n'
+     << indent << "ExpectedPieces: " << this->ExpectedPieces << '\n'
+     << indent << "ExpectedHandles: " << this->ExpectedHandles << '\n'
      << indent << "AlignLevels: " << this->AlignLevels << '\n'
      << indent << "Threads: " << this->Threads << '\n';
   const auto print = [&](const char* name, const std::vector<std::pair<int, int>>& pairs)

@@ -58,6 +58,19 @@ public:
 
   ///@{
   /**
+   * How many pieces and handles the surface is to have, -1 (default): any. Pieces are closed sheets,
+   * the wall of a cavity is one of its own; handles those of all pieces together. The cheapest joins are
+   * made, parted, or cut off halfway between two levels that come to it; Report says which, and what
+   * cannot be met.
+   */
+  vtkSetClampMacro(ExpectedPieces, int, -1, VTK_INT_MAX);
+  vtkGetMacro(ExpectedPieces, int);
+  vtkSetClampMacro(ExpectedHandles, int, -1, VTK_INT_MAX);
+  vtkGetMacro(ExpectedHandles, int);
+  ///@}
+
+  ///@{
+  /**
    * Shift levels onto one another before they are joined, and the surface back: for oblique shapes
    * whose sections hardly overlap (blades, swept wings, thin tubes, oblique shafts). 0: off; 1
    * (default): where two neighbouring levels have one outer contour each, of comparable size, these
@@ -101,6 +114,8 @@ private:
 
   double OverlapThreshold = 0.1;
   double MaximumGap = 5.0;
+  int ExpectedPieces = -1;
+  int ExpectedHandles = -1;
   int AlignLevels = 1;
   int Threads = 0;
   std::vector<std::pair<int, int>> ForcedJoins;

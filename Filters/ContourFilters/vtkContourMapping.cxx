@@ -3,9 +3,9 @@
 
 #include "ContourConversion.h"
 #include "Contours/ContourMapping.h"
-#include "Contours/LevelAlignment.h"
 #include "FieldArrays.h"
 #include "JoinTable.h"
+#include "Polyhedral/ContractMapping.h"
 #include "RunCore.h"
 #include "vtkContourMonitor.h"
 
@@ -41,9 +41,10 @@ void AddGroups(const recon::ContourMapping& mapping, std::size_t contours, vtkPo
   recon::AddArray(output->GetCellData(), "MappingGroupAbove", above);
 }
 
-void FillOutputs(const recon::ContourSet& set, const recon::ContourMapping& mapping,
+void FillOutputs(const recon::ContourSet& set, const recon::ContractMapping& mapped,
   vtkPolyData* input, vtkPolyData* output, vtkTable* joins)
 {
+  const recon::ContourMapping& mapping = mapped.Mapping;
   recon::ToPolyData(set, output);
   AddGroups(mapping, set.Contours.size(), output);
   recon::WriteMapping(mapping, output);
@@ -51,7 +52,7 @@ void FillOutputs(const recon::ContourSet& set, const recon::ContourMapping& mapp
   std::vector<std::string> report = set.Report;
   report.insert(report.end(), mapping.Report.begin(), mapping.Report.end());
   recon::FinishOutput(input, report, output);
-  recon::WriteJoins(mapping, joins);
+  recon::WriteJoins(mapped.WithCuts, joins);
 }
 }
 
@@ -81,12 +82,10 @@ int vtkContourMapping::RequestData(
       vtkContourMonitor cleaning(this, 0.0, 0.3);
       const recon::ContourSet set = this->ReadContours(input, true, cleaning);
       vtkContourMonitor mapping(this, 0.3, 1.0);
-      // As Polyhedral Surface does, so that both come to the same decisions.
-      const recon::LevelAlignment alignment = recon::FindLevelAlignment(
-        set, static_cast<recon::LevelAlignmentMode>(this->GetAlignLevels()), options.ForcedJoins);
-      recon::ContourMapping mapped =
-        recon::BuildContourMapping(recon::Aligned(set, alignment), options, mapping);
-      mapped.Report.insert(mapped.Report.begin(), alignment.Report.begin(), alignment.Report.end());
-      FillOutputs(set, mapped, input, output, joins);
+      FillOutputs(set,
+        recon::MapByContract(set, options,
+          static_cast<recon::LevelAlignmentMode>(this->GetAlignLevels()),
+          { this->GetExpectedPieces(), this->GetExpectedHandles() }, mapping),
+        input, output, joins);
     });
 }

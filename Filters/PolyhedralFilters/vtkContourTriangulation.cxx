@@ -4,6 +4,7 @@
 #include "ContourConversion.h"
 #include "FieldArrays.h"
 #include "Polyhedral/PolyhedralStages.h"
+#include "Polyhedral/TopologyContract.h"
 #include "RunCore.h"
 #include "vtkContourMonitor.h"
 
@@ -174,9 +175,14 @@ int vtkContourTriangulation::RequestData(
       vtkContourMonitor cleaning(this, 0.0, 0.2);
       const recon::ContourSet contours = this->ReadContoursOfSolid(input, true, cleaning);
       std::vector<std::string> report = contours.Report;
-      const recon::PolyhedralOptions options =
+      recon::PolyhedralOptions options =
         this->GetOptions(input, contours, vtkTable::GetData(inputVector[1], 0), report);
-      vtkContourMonitor triangulating(this, 0.2, 1.0);
+      if (recon::AsksForTopology(options))
+      {
+        vtkContourMonitor searching(this, 0.2, 0.7);
+        options.Contract = recon::MeetContract(contours, options, searching).Decisions;
+      }
+      vtkContourMonitor triangulating(this, recon::AsksForTopology(options) ? 0.7 : 0.2, 1.0);
       const Levels levels = Triangulate(contours, options, triangulating, report);
       FillTriangles(contours, levels, triangles);
       FillSkeletons(contours, levels, skeletons);

@@ -4,6 +4,7 @@
 #include "ContourConversion.h"
 #include "FieldArrays.h"
 #include "Polyhedral/PolyhedralStages.h"
+#include "Polyhedral/TopologyContract.h"
 #include "RunCore.h"
 #include "vtkContourMonitor.h"
 
@@ -221,9 +222,14 @@ int vtkJointVoronoiDiagram::RequestData(
       vtkContourMonitor cleaning(this, 0.0, 0.1);
       const recon::ContourSet contours = this->ReadContoursOfSolid(input, true, cleaning);
       std::vector<std::string> report = contours.Report;
-      const recon::PolyhedralOptions options =
+      recon::PolyhedralOptions options =
         this->GetOptions(input, contours, vtkTable::GetData(inputVector[1], 0), report);
-      vtkContourMonitor building(this, 0.1, 1.0);
+      if (recon::AsksForTopology(options))
+      {
+        vtkContourMonitor searching(this, 0.1, 0.7);
+        options.Contract = recon::MeetContract(contours, options, searching).Decisions;
+      }
+      vtkContourMonitor building(this, recon::AsksForTopology(options) ? 0.7 : 0.1, 1.0);
       const recon::PolyhedralStages stages =
         recon::BuildPolyhedralStages(contours, options, building);
       FillTetrahedra(contours, stages, tetrahedra);

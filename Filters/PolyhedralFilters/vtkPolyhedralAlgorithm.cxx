@@ -26,6 +26,8 @@ recon::PolyhedralOptions vtkPolyhedralAlgorithm::GetOptions(vtkPolyData* input,
   options.EndCaps = static_cast<recon::PolyhedralOptions::EndCapsType>(this->EndCaps);
   options.IsolatedContours =
     static_cast<recon::PolyhedralOptions::IsolatedContoursType>(this->IsolatedContours);
+  options.ExpectedPieces = this->GetExpectedPieces();
+  options.ExpectedHandles = this->GetExpectedHandles();
   options.Threads = joins.Threads;
   return options;
 }

@@ -81,6 +81,14 @@ public:
       Overrides(overrides.OfSlab[slab]),
       Slab(slab)
   {
+    for (const ContractDecision& decision : options.Contract)
+    {
+      if (decision.Slab == slab && decision.Kind != ContractDecision::Cut &&
+        decision.Kind != ContractDecision::Fill)
+      {
+        this->Contract.push_back(decision);
+      }
+    }
     this->Context.Threshold = options.OverlapThreshold;
     this->Context.Gap = gaps.Thickness[slab];
     this->Context.Spacing = gaps.Usual[slab];
@@ -158,10 +166,28 @@ private:
     }
     for (const auto& entry : this->Overrides)
     {
-      this->Areas.emplace(entry.first, 0.0);
-      this->InPairs.insert(entry.first.first);
-      this->InPairs.insert(entry.first.second);
+      this->AddPair(entry.first);
     }
+    for (const ContractDecision& decision : this->Contract)
+    {
+      const Pair pair{ decision.Lower, decision.Upper };
+      if (this->RegionAt(pair.first).Solid == this->RegionAt(pair.second).Solid)
+      {
+        this->Areas.emplace(pair, 0.0);
+      }
+      // What is parted is not joined by distance, either; what is joined may have other partners.
+      if (decision.Kind == ContractDecision::Part)
+      {
+        this->AddPair(pair);
+      }
+    }
+  }
+
+  void AddPair(const Pair& pair)
+  {
+    this->Areas.emplace(pair, 0.0);
+    this->InPairs.insert(pair.first);
+    this->InPairs.insert(pair.second);
   }
 
   void DecidePairs(bool solid)
@@ -222,13 +248,41 @@ private:
     else
     {
       join.Joined = std::max(join.LowerRatio, join.UpperRatio) > this->Context.Threshold;
+      this->FollowContract(join);
     }
-    if (join.Joined && !this->AreWallsAroundJoined(join))
+    if (join.Joined && join.Rule != ContourJoin::ByContract && !this->AreWallsAroundJoined(join))
     {
       join.Joined = false;
       join.Rule = ContourJoin::InternalWall;
       join.InternalWallRule = 1;
     }
+  }
+
+  void FollowContract(ContourJoin& join) const
+  {
+    for (const ContractDecision& decision : this->Contract)
+    {
+      if (decision.Lower != join.LowerRegion || decision.Upper != join.UpperRegion)
+      {
+        continue;
+      }
+      join.Rule = ContourJoin::ByContract;
+      join.Joined = decision.Kind != ContractDecision::Part;
+    }
+  }
+
+  /// The contour at the other end of a tunnel from a hole to what is no hole, or -1.
+  int TunnelOf(int hole) const
+  {
+    for (const ContractDecision& decision : this->Contract)
+    {
+      if (decision.Kind == ContractDecision::Tunnel &&
+        (decision.Lower == hole || decision.Upper == hole))
+      {
+        return decision.Lower == hole ? decision.Upper : decision.Lower;
+      }
+    }
+    return -1;
   }
 
   /// Rule 1 of 3.3.1; a solid region asks for nothing.
@@ -259,6 +313,11 @@ private:
       if (!this->RegionAt(region).Solid && !context.TooWide)
       {
         this->ApplyRulesTwoAndThree(region, join, context);
+        join.TunnelTo = this->TunnelOf(region);
+        if (join.TunnelTo >= 0)
+        {
+          join.Rule = ContourJoin::ByContract;
+        }
       }
       join.Words = DescribeJoin(this->Contours, this->Mapping, join, context);
       this->Joins.push_back(std::move(join));
@@ -290,6 +349,7 @@ private:
   const ContourSet& Contours;
   const ContourMapping& Mapping;
   const JoinOverrides::Pairs& Overrides;
+  std::vector<ContractDecision> Contract; ///< of this slab
   int Slab;
   JoinContext Context;
   std::map<Pair, double> Areas;

@@ -15,6 +15,7 @@
 
 #include "Base/Monitor.h"
 #include "Contours/ContourSet.h"
+#include "Contours/ContractDecision.h"
 
 #include <string>
 #include <utility>
@@ -43,6 +44,8 @@ struct ContourMappingOptions
   /// Pairs of contours whose regions are not joined whatever the overlap; forbidding wins over
   /// forcing.
   std::vector<std::pair<int, int>> ForbiddenJoins;
+  /// What a contract on pieces and handles decides (TopologyContract.h); overrides win over it.
+  std::vector<ContractDecision> Contract;
   double MaximumGap = DefaultMaximumGap; ///< see FindLevelGaps; forced joins bridge gaps, too
   int Threads = 0;
 };
@@ -68,7 +71,8 @@ struct ContourJoin
     GapTooWide,   ///< by MaximumGap
     NoPartner,    ///< mapped to Phi
     InternalWall, ///< one of the three rules of 3.3.1
-    ByDistance    ///< overlaps nothing above or below, but as good as touches
+    ByDistance,   ///< overlaps nothing above or below, but as good as touches
+    ByContract    ///< as the expected pieces and handles ask for it, in whole or at a place
   };
 
   int Slab = -1;
@@ -80,6 +84,8 @@ struct ContourJoin
   RuleType Rule = ByOverlap;
   double Distance = 0;      ///< in projection, where Rule is ByDistance
   int InternalWallRule = 0; ///< 1, 2 or 3 of 3.3.1 where Rule is InternalWall
+  int TunnelTo =
+    -1; ///< contour of the other level to which the contract opens the hole without partner
   bool Joined = false;
   std::string Words; ///< one sentence that a physicist reads
 };

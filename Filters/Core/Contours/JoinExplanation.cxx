@@ -98,6 +98,8 @@ private:
         return ": one of them overlaps nothing above or below, and they are " +
           Text(this->Join.Distance) + " apart, next to nothing beside the " +
           Text(this->Context.Gap) + " between their levels.";
+      case ContourJoin::ByContract:
+        return " because the expected pieces and handles ask for it; " + this->SharedWords() + ".";
       case ContourJoin::ByOverlap:
       case ContourJoin::NoPartner:
         break;
@@ -142,6 +144,11 @@ private:
 
   std::string DescribeEndOfHole(const std::string& there) const
   {
+    if (this->Join.TunnelTo >= 0)
+    {
+      return " is opened to contour " + std::to_string(this->Join.TunnelTo) + " (" + there +
+        ") because the expected pieces and handles ask for it.";
+    }
     const std::string share = Percent(this->Context.FacingSolid);
     switch (this->Join.InternalWallRule)
     {
@@ -197,6 +204,8 @@ std::string RuleName(const ContourJoin& join)
       return "Gap too wide";
     case ContourJoin::ByDistance:
       return "Distance";
+    case ContourJoin::ByContract:
+      return "Contract";
     case ContourJoin::NoPartner:
       return "No partner";
     case ContourJoin::InternalWall:

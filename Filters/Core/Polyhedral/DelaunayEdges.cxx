@@ -15,6 +15,11 @@ EdgeKind KindOf(const LevelTriangulation& level, int edge)
   return level.Inside[triangle] ? EdgeKind::Internal : EdgeKind::External;
 }
 
+int ContourAtEdge(const LevelTriangulation& level, int edge)
+{
+  return level.EdgeContour[edge / 3][edge % 3];
+}
+
 int RegionAtEdge(const LevelTriangulation& level, int edge)
 {
   const int region = level.Region[edge / 3];

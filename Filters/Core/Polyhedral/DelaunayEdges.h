@@ -21,6 +21,9 @@ enum class EdgeKind
 
 EdgeKind KindOf(const LevelTriangulation& level, int edge);
 
+/// Contour that the edge is a part of, or -1.
+int ContourAtEdge(const LevelTriangulation& level, int edge);
+
 /// Region on the solid side of an edge that is not external.
 int RegionAtEdge(const LevelTriangulation& level, int edge);
 

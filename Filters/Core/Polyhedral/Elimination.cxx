@@ -5,6 +5,7 @@
 #include "Polyhedral/VertexRegions.h"
 
 #include <array>
+#include <utility>
 #include <vector>
 
 namespace recon
@@ -65,8 +66,11 @@ private:
     {
       return SlabTetrahedra::ExternalEdge;
     }
-    if (!this->Joins.AreJoined(
-          RegionAtEdge(this->Level1, t.Origin[0]), RegionAtEdge(this->Level2, t.Origin[1])))
+    const std::pair<int, int> regions{ RegionAtEdge(this->Level1, t.Origin[0]),
+      RegionAtEdge(this->Level2, t.Origin[1]) };
+    if (!this->Joins.AreJoined(regions.first, regions.second) ||
+      this->Joins.Tunnels.count(
+        { ContourAtEdge(this->Level1, t.Origin[0]), ContourAtEdge(this->Level2, t.Origin[1]) }) > 0)
     {
       return SlabTetrahedra::NotJoined;
     }
@@ -78,7 +82,8 @@ private:
     const Point2& b = this->Level1.Points[t.Corners[1]];
     const Point2& u = this->Level2.Points[t.Corners[2]];
     const Point2& v = this->Level2.Points[t.Corners[3]];
-    const bool outside = IsNodeOutside(this->Level1, t.Origin[0], u, v) &&
+    const bool outside = this->Joins.Spanned.count(regions) == 0 &&
+      IsNodeOutside(this->Level1, t.Origin[0], u, v) &&
       IsNodeOutside(this->Level2, t.Origin[1], a, b);
     return outside ? SlabTetrahedra::OutsideBothContours : SlabTetrahedra::Kept;
   }

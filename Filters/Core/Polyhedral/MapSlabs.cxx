@@ -3,6 +3,7 @@
 
 #include "Base/Text.h"
 #include "Contours/LevelGaps.h"
+#include "Polyhedral/TopologyContract.h"
 
 namespace recon
 {
@@ -26,10 +27,29 @@ void UseJoin(const ContourMapping& mapping, const ContourJoin& join, std::vector
   const auto& lower = mapping.Regions[join.LowerRegion];
   const auto& upper = mapping.Regions[join.UpperRegion];
   SlabJoins& joins = slabs[join.Slab].Joins;
-  const bool exception = joins.AllByDefault ? join.Rule == ContourJoin::Forbidden : join.Joined;
+  const bool isParted =
+    join.Rule == ContourJoin::Forbidden || (join.Rule == ContourJoin::ByContract && !join.Joined);
+  const bool exception = joins.AllByDefault ? isParted : join.Joined;
   if (lower.Solid && upper.Solid && exception)
   {
     joins.Exceptions.insert({ lower.Wall, upper.Wall });
+  }
+}
+
+void UseDecision(const ContractDecision& decision, SlabJoins& joins)
+{
+  switch (decision.Kind)
+  {
+    case ContractDecision::Join:
+      joins.Spanned.insert({ decision.Lower, decision.Upper });
+      break;
+    case ContractDecision::Tunnel:
+      joins.Tunnels.insert({ decision.Lower, decision.Upper });
+      break;
+    case ContractDecision::Part: // what is joined is told by the mapping
+    case ContractDecision::Cut:  // SectionCuts.h does it
+    case ContractDecision::Fill:
+      break;
   }
 }
 }
@@ -40,6 +60,7 @@ ContourMappingOptions MappingOptionsOf(const PolyhedralOptions& options)
   mapping.OverlapThreshold = options.OverlapThreshold;
   mapping.ForcedJoins = options.ForcedJoins;
   mapping.ForbiddenJoins = options.ForbiddenJoins;
+  mapping.Contract = options.Contract;
   mapping.MaximumGap = options.MaximumGap;
   mapping.Threads = options.Threads;
   return mapping;
@@ -59,7 +80,12 @@ ContourMapping MapSlabs(const ContourSet& contours, const PolyhedralOptions& opt
       report.push_back(GapLine(contours, gaps, i, options.MaximumGap));
     }
   }
-  if (!overlap && options.ForbiddenJoins.empty() && options.ForcedJoins.empty())
+  for (const ContractDecision& decision : options.Contract)
+  {
+    UseDecision(decision, slabs[decision.Slab].Joins);
+  }
+  if (!overlap && options.ForbiddenJoins.empty() && options.ForcedJoins.empty() &&
+    !AsksForTopology(options))
   {
     return {};
   }

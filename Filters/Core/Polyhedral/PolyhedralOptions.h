@@ -7,6 +7,7 @@
 #define recon_PolyhedralOptions_h
 
 #include "Contours/ContourMapping.h"
+#include "Contours/ContractDecision.h"
 #include "Contours/LevelAlignment.h"
 
 #include <utility>
@@ -46,6 +47,10 @@ struct PolyhedralOptions
   double OverlapThreshold = 0.1;                   ///< share of the smaller region, in [0, 1)
   std::vector<std::pair<int, int>> ForcedJoins;    ///< pairs of ContourId on adjacent levels
   std::vector<std::pair<int, int>> ForbiddenJoins; ///< wins over ForcedJoins
+  int ExpectedPieces = -1;  ///< closed sheets of the surface, walls of cavities, too; -1: any
+  int ExpectedHandles = -1; ///< of the whole surface; -1: any
+  /// What these two come to (TopologyContract.h), followed beside the mapping.
+  std::vector<ContractDecision> Contract;
   /// Slabs thicker than this many times those beside them are not bridged; 0 = all are.
   double MaximumGap = DefaultMaximumGap;
   LevelAlignmentMode AlignLevels = LevelAlignmentMode::Off; ///< of oblique shapes

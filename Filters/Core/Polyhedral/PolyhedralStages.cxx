@@ -188,8 +188,8 @@ private:
     const LevelTriangulation& lower, const LevelTriangulation& upper, SlabState& slab) const
   {
     const JointCells cells(lower, upper);
-    const bool mayHaveGaps =
-      this->Wanted != TetrahedraWanted::All && lower.IsGabriel && upper.IsGabriel;
+    const bool mayHaveGaps = this->Wanted != TetrahedraWanted::All && lower.IsGabriel &&
+      upper.IsGabriel && !slab.Joins.HasContract();
     std::size_t most = std::numeric_limits<std::size_t>::max();
     if (mayHaveGaps)
     {

@@ -1,17 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Polyhedral/PolyhedralSurface.h"
 
+#include "Base/SubMonitor.h"
 #include "Base/Text.h"
 #include "Mesh/CrossingRepair.h"
 #include "Mesh/OutwardPieces.h"
+#include "Mesh/PiecesAndHandles.h"
 #include "Mesh/PinchGap.h"
+#include "Mesh/SectionCuts.h"
 #include "Polyhedral/FaceGroups.h"
 #include "Polyhedral/PinchedPoints.h"
 #include "Polyhedral/PolyhedralStages.h"
 #include "Polyhedral/SolidBoundary.h"
 #include "Polyhedral/SolidComplex.h"
+#include "Polyhedral/TopologyContract.h"
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 namespace recon
@@ -20,6 +27,9 @@ namespace
 {
 /// Share of the progress bar that the stages before the surface take.
 constexpr double StagesShare = 0.85;
+
+/// The same of the search for what a contract asks for, where there is one.
+constexpr double SearchShare = 0.8;
 
 /// Where points round, they may move so far that sheets do not cross, in median lengths of an edge:
 /// no farther than what draws sheets apart.
@@ -48,6 +58,7 @@ public:
     this->CopyPoints(solid, boundary);
     this->CopyFaces(solid, boundary);
     this->MeasureCaps(solid);
+    this->CutHandles();
     this->UndoCrossings();
     this->OpenPinches();
     this->Observer.Update(1, "extracting the surface");
@@ -149,6 +160,62 @@ private:
     }
   }
 
+  /// Where ExpectedHandles asks for fewer than there are.
+  void CutHandles()
+  {
+    const int tooMany = this->Options.ExpectedHandles < 0
+      ? 0
+      : HandlesTooMany(this->Options, CountPiecesAndHandles(this->Result.Mesh));
+    if (tooMany == 0)
+    {
+      return;
+    }
+    std::vector<double> offsets;
+    for (const Level& level : this->Contours.Levels)
+    {
+      offsets.push_back(level.Offset);
+    }
+    const SectionCuts cuts = recon::CutHandles(
+      this->Result.Mesh, this->Contours.Levels[0].Frame, offsets, tooMany, this->Observer);
+    for (const SectionCut& cut : cuts.Cuts)
+    {
+      this->Result.Contract.push_back({ cut.Solid ? ContractDecision::Cut : ContractDecision::Fill,
+        cut.Slab, this->NearestContour(cut.Slab, cut.Place),
+        this->NearestContour(cut.Slab + 1, cut.Place), cut.Area });
+    }
+    for (std::vector<int>* ofTriangle : { &this->Result.Slab, &this->Result.FaceKind,
+           &this->Result.MappingGroup, &this->Result.Piece })
+    {
+      const std::vector<int> before = *ofTriangle;
+      ofTriangle->clear();
+      for (const int whole : cuts.PartOf)
+      {
+        ofTriangle->push_back(before[static_cast<std::size_t>(whole)]);
+      }
+    }
+    this->Result.PointKind.resize(this->Result.Mesh.Points.size(), LevelTriangulation::Internal);
+  }
+
+  /// By its vertices: for a sentence.
+  int NearestContour(int level, const Point3& place) const
+  {
+    int nearest = -1;
+    double least = std::numeric_limits<double>::infinity();
+    for (const int contour : this->Contours.Levels[level].Contours)
+    {
+      for (const int p : this->Contours.Contours[contour].Points)
+      {
+        const double distance = Norm(this->Contours.Points[p] - place);
+        if (distance < least)
+        {
+          least = distance;
+          nearest = contour;
+        }
+      }
+    }
+    return nearest;
+  }
+
   /// Whether points of space differ from those in whose coordinates the topology was decided.
   bool PointsRound() const
   {
@@ -246,10 +313,9 @@ private:
   std::vector<char> IsPointExact; ///< see IsExact; points that were computed from others are not
   PolyhedralSurface Result;
 };
-}
 
-PolyhedralSurface BuildPolyhedralSurface(const ContourSet& contours,
-  const PolyhedralOptions& options, Monitor& monitor, TetrahedraWanted wanted)
+PolyhedralSurface BuildAsMapped(const ContourSet& contours, const PolyhedralOptions& options,
+  Monitor& monitor, TetrahedraWanted wanted)
 {
   const PolyhedralStages stages =
     BuildPolyhedralStages(contours, options, monitor, StagesShare, wanted);
@@ -259,6 +325,29 @@ PolyhedralSurface BuildPolyhedralSurface(const ContourSet& contours,
   surface.Report.insert(surface.Report.begin(), stages.Report.begin(), stages.Report.end());
   surface.StageSeconds = stages.StageSeconds;
   surface.StageSeconds.emplace_back("extract surface", seconds.count());
+  return surface;
+}
+}
+
+PolyhedralSurface BuildPolyhedralSurface(const ContourSet& contours,
+  const PolyhedralOptions& options, Monitor& monitor, TetrahedraWanted wanted)
+{
+  if (!AsksForTopology(options))
+  {
+    return BuildAsMapped(contours, options, monitor, wanted);
+  }
+  const auto start = std::chrono::steady_clock::now();
+  SubMonitor searching(monitor, 0, SearchShare);
+  const MetContract met = MeetContract(contours, options, searching);
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  PolyhedralOptions asked = options;
+  asked.Contract = met.Decisions;
+  SubMonitor building(monitor, SearchShare, 1);
+  PolyhedralSurface surface = BuildAsMapped(contours, asked, building, wanted);
+  surface.Contract.insert(surface.Contract.begin(), met.Decisions.begin(), met.Decisions.end());
+  surface.Report.push_back(DescribeContract(
+    contours, options, met, surface.Contract, CountPiecesAndHandles(surface.Mesh)));
+  surface.StageSeconds.emplace_back("meet the contract", seconds.count());
   return surface;
 }
 }

@@ -51,6 +51,8 @@ struct PolyhedralSurface
   double EndCapVolume =
     0; ///< cubic units that the caps of ends add to the solid between the levels
   double IsolatedVolume = 0; ///< cubic units of isolated contours that were extruded
+  /// What ExpectedPieces and ExpectedHandles came to.
+  std::vector<ContractDecision> Contract;
   std::vector<std::string> Report;
   std::vector<std::pair<std::string, double>> StageSeconds; ///< wall time by stage
 };

@@ -20,11 +20,19 @@ struct SlabJoins
   bool IsGap = false;       ///< wider than MaximumGap allows: only forced joins bridge it
   bool AllByDefault = true; ///< whether pairs that Exceptions does not name are joined
   std::set<std::pair<int, int>> Exceptions; ///< (region of level 1, region of level 2)
+  /// Of those that are joined: also across what lies outside the contours of both.
+  std::set<std::pair<int, int>> Spanned;
+  /// (contour of level 1, contour of level 2): no solid is spanned between them, so that what lies
+  /// beyond the one is joined to what lies beyond the other.
+  std::set<std::pair<int, int>> Tunnels;
 
   bool AreJoined(int region1, int region2) const
   {
     return this->AllByDefault != (this->Exceptions.count({ region1, region2 }) > 0);
   }
+
+  /// Whether a contract (TopologyContract.h) asks for more than which regions are joined.
+  bool HasContract() const { return !this->Spanned.empty() || !this->Tunnels.empty(); }
 };
 }
 

@@ -67,7 +67,8 @@ def contour_hierarchy(contours: ContoursLike, *, ParallelPlanesOnly: bool = Fals
 
 
 def contour_mapping(contours: ContoursLike, *, OverlapThreshold: float = 0.1, ForcedJoins: Pairs = (),
-                    ForbiddenJoins: Pairs = (), MaximumGap: float = 5, AlignLevels: Choice = "Automatic",
+                    ForbiddenJoins: Pairs = (), MaximumGap: float = 5, ExpectedPieces: int = -1,
+                    ExpectedHandles: int = -1, AlignLevels: Choice = "Automatic",
                     HoleRule: Choice = "Automatic", OpenLines: Choice = "Leave Out", PlaneTolerance: float = 0,
                     SnapTolerance: float = 0, Threads: int = 0, progress: Progress = None) -> ContourMapping:
     """Find which contours of neighbouring planes belong together, and say why.
@@ -82,6 +83,8 @@ def contour_mapping(contours: ContoursLike, *, OverlapThreshold: float = 0.1, Fo
         Pairs of ContourId on neighbouring planes that are joined, or are not, whatever they share; forbidding wins.
     MaximumGap : float, default: 5
         Planes further apart than this many times the spacing beside them are not joined; 0 joins all.
+    ExpectedPieces, ExpectedHandles : int, default: -1
+        What the surface is to have, see `polyhedral_surface`.
     AlignLevels : {"Automatic", "Off", "On"}
         Whether levels of oblique shapes are shifted onto one another before they are compared.
     HoleRule, OpenLines, PlaneTolerance, SnapTolerance, progress
@@ -119,7 +122,8 @@ def warn_of_left_out(data: dict[str, Any]) -> None:
 def polyhedral_surface(contours: ContoursLike, *, Mapping: Choice = "Overlap", OverlapThreshold: float = 0.1,
                        EndCaps: Choice = "Tapered", IsolatedContours: Choice = "Extrude", InternalPoints: bool = True,
                        LiftInternalPoints: bool = True, ForcedJoins: Pairs = (), ForbiddenJoins: Pairs = (),
-                       MaximumGap: float = 5, AlignLevels: Choice = "Automatic", PinchGap: float = 0.001,
+                       MaximumGap: float = 5, ExpectedPieces: int = -1, ExpectedHandles: int = -1,
+                       AlignLevels: Choice = "Automatic", PinchGap: float = 0.001,
                        HoleRule: Choice = "Automatic", OpenLines: Choice = "Leave Out", PlaneTolerance: float = 0,
                        SnapTolerance: float = 0, Threads: int = 0, progress: Progress = None) -> Surface:
     """Make the closed surface that passes exactly through contours on parallel planes.
@@ -147,6 +151,11 @@ def polyhedral_surface(contours: ContoursLike, *, Mapping: Choice = "Overlap", O
         mapping says; forbidding wins.
     MaximumGap : float, default: 5
         Levels further apart than this many times the spacing beside them are not joined; 0 joins all.
+    ExpectedPieces : int, default: -1
+        How many pieces (closed sheets; the wall of a cavity is one) the surface has, where that is known; -1: as the
+        contours show. The cheapest joins are made or parted for it; the report says which, and what cannot be met.
+    ExpectedHandles : int, default: -1
+        How many handles all pieces have together; those too many are parted or filled halfway between two levels.
     AlignLevels : {"Automatic", "Off", "On"}
         Whether levels of oblique shapes are shifted onto one another before they are joined, and the surface back.
     PinchGap : float, default: 0.001
@@ -204,7 +213,7 @@ def fair_surface(contours: ContoursLike, *, Tolerance: float = -1, EdgeLength: f
                  Mapping: Choice = "Overlap", OverlapThreshold: float = 0.1, EndCaps: Choice = "Tapered",
                  IsolatedContours: Choice = "Extrude", InternalPoints: bool = True, LiftInternalPoints: bool = True,
                  ForcedJoins: Pairs = (), ForbiddenJoins: Pairs = (), MaximumGap: float = 5,
-                 AlignLevels: Choice = "Automatic", HoleRule: Choice = "Automatic", OpenLines: Choice = "Leave Out",
+                 ExpectedPieces: int = -1, ExpectedHandles: int = -1, AlignLevels: Choice = "Automatic", HoleRule: Choice = "Automatic", OpenLines: Choice = "Leave Out",
                  PlaneTolerance: float = 0, SnapTolerance: float = 0, Threads: int = 0,
                  progress: Progress = None) -> Surface:
     """Make a smooth closed surface near contours on parallel planes, of the topology of `polyhedral_surface`.
@@ -224,7 +233,7 @@ def fair_surface(contours: ContoursLike, *, Tolerance: float = -1, EdgeLength: f
         From 0, as smooth as may be, to 1, as `polyhedral_surface`; -1: automatic.
     Mapping, OverlapThreshold, EndCaps, IsolatedContours, InternalPoints, LiftInternalPoints : optional
         See `polyhedral_surface`.
-    ForcedJoins, ForbiddenJoins, MaximumGap, AlignLevels : optional
+    ForcedJoins, ForbiddenJoins, MaximumGap, ExpectedPieces, ExpectedHandles, AlignLevels : optional
         See `polyhedral_surface`.
     HoleRule, OpenLines, PlaneTolerance, SnapTolerance, progress
         See `contour_hierarchy`.

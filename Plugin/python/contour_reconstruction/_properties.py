@@ -31,6 +31,8 @@ RANGES: dict[str, tuple[float, float]] = {
     "SnapTolerance": (0, math.inf),
     "OverlapThreshold": (0, 0.99),
     "MaximumGap": (0, math.inf),
+    "ExpectedPieces": (-1, math.inf),
+    "ExpectedHandles": (-1, math.inf),
     "PinchGap": (0, 0.1),
     "MarginDistance": (0, math.inf),
     "MergeBox": (0, 0.999),

@@ -2,8 +2,8 @@
 // Contour Hierarchy and Contour Mapping for Python.
 #include "Base/SubMonitor.h"
 #include "Contours/JoinExplanation.h"
-#include "Contours/LevelAlignment.h"
 #include "GivenData.h"
+#include "Polyhedral/ContractMapping.h"
 #include "PythonMonitor.h"
 
 #include <algorithm>
@@ -90,21 +90,17 @@ nb::dict Hierarchy(const nb::dict& loops, const nb::dict& properties, nb::handle
 struct MappedContours
 {
   ContourSet Contours;
-  ContourMapping Mapping;
+  ContractMapping Mapped;
 };
 
-/// As Polyhedral Surface does, so that both come to the same decisions.
 MappedContours Map(const LoopSoup& soup, const ContourSetOptions& reading, LevelAlignmentMode align,
-  const ContourMappingOptions& options, Monitor& monitor)
+  const ContourMappingOptions& options, const TopologyAsked& asked, Monitor& monitor)
 {
   SubMonitor cleaning(monitor, 0.0, 0.3);
   SubMonitor mapping(monitor, 0.3, 1.0);
   MappedContours mapped;
   mapped.Contours = BuildContourSet(soup, reading, cleaning);
-  const LevelAlignment alignment = FindLevelAlignment(mapped.Contours, align, options.ForcedJoins);
-  mapped.Mapping = BuildContourMapping(Aligned(mapped.Contours, alignment), options, mapping);
-  mapped.Mapping.Report.insert(
-    mapped.Mapping.Report.begin(), alignment.Report.begin(), alignment.Report.end());
+  mapped.Mapped = MapByContract(mapped.Contours, options, align, asked, mapping);
   return mapped;
 }
 
@@ -119,19 +115,22 @@ nb::dict Mapping(const nb::dict& loops, const nb::dict& properties, nb::handle p
   options.ForcedJoins = PairsOf(properties, "ForcedJoins");
   options.ForbiddenJoins = PairsOf(properties, "ForbiddenJoins");
   options.Threads = ValueOf<int>(properties, "Threads");
+  const TopologyAsked asked{ ValueOf<int>(properties, "ExpectedPieces"),
+    ValueOf<int>(properties, "ExpectedHandles") };
   const MappedContours mapped = RunWithoutLock(
-    progress, [&](Monitor& monitor) { return Map(soup, reading, align, options, monitor); });
+    progress, [&](Monitor& monitor) { return Map(soup, reading, align, options, asked, monitor); });
 
   const std::size_t count = mapped.Contours.Contours.size();
   nb::dict result = FromContours(mapped.Contours);
-  result["cell_data"]["MappingGroupBelow"] = GroupsOf(mapped.Mapping, count, true);
-  result["cell_data"]["MappingGroupAbove"] = GroupsOf(mapped.Mapping, count, false);
-  AddDecisions(mapped.Mapping, nb::cast<nb::dict>(result["field_data"]));
+  result["cell_data"]["MappingGroupBelow"] = GroupsOf(mapped.Mapped.Mapping, count, true);
+  result["cell_data"]["MappingGroupAbove"] = GroupsOf(mapped.Mapped.Mapping, count, false);
+  AddDecisions(mapped.Mapped.Mapping, nb::cast<nb::dict>(result["field_data"]));
   std::vector<std::string> report = mapped.Contours.Report;
-  report.insert(report.end(), mapped.Mapping.Report.begin(), mapped.Mapping.Report.end());
+  report.insert(
+    report.end(), mapped.Mapped.Mapping.Report.begin(), mapped.Mapped.Mapping.Report.end());
   result["report"] = ToList(report);
   result["warning"] = mapped.Contours.Warning;
-  result["joins"] = JoinsOf(mapped.Mapping);
+  result["joins"] = JoinsOf(mapped.Mapped.WithCuts);
   return result;
 }
 }

@@ -249,6 +249,8 @@ PolyhedralOptions PolyhedralOptionsOf(const nb::dict& properties)
   options.Mapping = ChoiceOf<PolyhedralOptions::MappingType>(properties, "Mapping");
   options.OverlapThreshold = ValueOf<double>(properties, "OverlapThreshold");
   options.MaximumGap = ValueOf<double>(properties, "MaximumGap");
+  options.ExpectedPieces = ValueOf<int>(properties, "ExpectedPieces");
+  options.ExpectedHandles = ValueOf<int>(properties, "ExpectedHandles");
   options.AlignLevels = ChoiceOf<LevelAlignmentMode>(properties, "AlignLevels");
   options.EndCaps = ChoiceOf<PolyhedralOptions::EndCapsType>(properties, "EndCaps");
   options.IsolatedContours =
