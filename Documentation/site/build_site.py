@@ -28,7 +28,7 @@ html_show_sphinx = False
 exclude_patterns = []
 """
 LISTS = (("Use it", ["README", "Documentation/installation", "Documentation/package", "Documentation/recipes", "Documentation/stages", "Documentation/choosing",
-                     "Documentation/fair-surface", "Documentation/formats", "Documentation/command-line", "Documentation/python",
+                     "Documentation/fair-surface", "Documentation/topology", "Documentation/formats", "Documentation/command-line", "Documentation/python",
                      "Documentation/structure-sets", "Documentation/examples", "Documentation/gallery",
                      "Documentation/nodes", "Documentation/nodes/index"]),
          ("What it is worth", ["Data/TRUTH", "Data/TRUTH_IMPLICIT", "Data/TRUTH_FAIR", "Data/CERTIFICATES", "Data/PLANES", "Data/VOLUMES",

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Both methods against the truth: real shapes cut by planes, reconstructed, and laid beside the shape again.
 
-    ./run bench truth [NAME ...] [--method psm|fair|ism] [--markdown FILE] [--json FILE] [--set PROPERTY=VALUE ...] [--check]
+    ./run bench truth [NAME ...] [--method psm|fair|ism] [--told] [--markdown FILE] [--json FILE] [--set PROPERTY=VALUE ...]
+                      [--check]
 
 NAME is a part of a row's name. Rows: the cross-section sets that come with a reference surface; every closed mesh of the
 shared test data, cut by 24 planes along x, y and z, at the middles of 24 equal slices of its bounding box. Figures:
@@ -10,7 +11,8 @@ shared test data, cut by 24 planes along x, y and z, at the middles of 24 equal 
 - mean, largest: distance of the two surfaces in the units of the set, both ways: of points spread evenly over the one
   surface (by area, with a fixed seed) and of its vertices from the other; the mean is that of the even points, half of it
   from either way;
-- Euler: of the surface beside that of the reference;
+- Euler: of the surface beside that of the reference; with --told (psm, fair) also where ExpectedPieces and ExpectedHandles are
+  those of the reference, with the pairs of triangles that cross and the open edges of that surface where there are any;
 - SI: pairs of triangles that cross or overlap, and edges where sheets cross; open: edges with one face, or more than two;
 - seconds: processor time of the reconstruction (Polyhedral Surface, psm, and Fair Surface, fair: on one thread; Implicit
   Surface, ism: on all).
@@ -54,7 +56,16 @@ def node_of(method, contours, properties):
     return simple.PolyhedralSurface(Input=contours, Threads=1, **properties)
 
 
-def measure(method, name, contours, reference, properties):
+def told(method, contours, truth, properties):
+    """What comes of it where the pieces and handles of the truth are asked for."""
+    asked = {"ExpectedPieces": truth["Components"], "ExpectedHandles": truth["Components"] - truth["Euler"] // 2}
+    made = certificate(output(node_of(method, contours, {**properties, **asked})))
+    bad = {what: made[what] for what in ("CrossingPairs", "OverlappingPairs", "CrossingEdges", "OpenEdges", "OverusedEdges")}
+    met = made["Components"] == asked["ExpectedPieces"] and made["Euler"] == truth["Euler"]
+    return {"Euler": made["Euler"], "pieces": made["Components"], "met": met, "bad": {k: n for k, n in bad.items() if n}}
+
+
+def measure(method, name, contours, reference, properties, with_told):
     contours.UpdatePipeline()
     node = node_of(method, contours, properties)
     start = time.process_time()
@@ -63,9 +74,11 @@ def measure(method, name, contours, reference, properties):
     total = certificate(made)
     mean, largest, ways = distance(made, reference)
     slicer, mask = SLICERRT.get(name), MASKS.get(name)
-    return {"name": name, "triangles": made.GetNumberOfCells(), "volume": 100 * (volume(made) / volume(reference) - 1),
+    truth = certificate(reference)
+    return {"name": name, "told": told(method, contours, truth, properties) if with_told else None, "triangles": made.GetNumberOfCells(), "volume": 100 * (volume(made) / volume(reference) - 1),
             "mean": mean, "largest": largest, "out": ways[0], "back": ways[1], "Euler": total["Euler"],
-            "truth": certificate(reference)["Euler"], "pieces": total["Components"],
+            "truth": truth["Euler"], "pieces": total["Components"],
+            "truepieces": truth["Components"],
             "SI": total["CrossingPairs"] + total["OverlappingPairs"] + total["CrossingEdges"], "touching": total["TouchingPairs"],
             "open": total["OpenEdges"] + total["OverusedEdges"], "seconds": seconds,
             "SlicerRT": slicer, "masks": mask}
@@ -82,6 +95,14 @@ COLUMNS = (("input", lambda r: r["name"]), ("triangles", lambda r: str(r["triang
            ("SI", lambda r: str(r["SI"])), ("open", lambda r: str(r["open"])), ("seconds", lambda r: f"{r['seconds']:.2f}"),
            ("SlicerRT: mean / largest / Euler", lambda r: of_other(r["SlicerRT"])),
            ("masks: mean / largest", lambda r: of_other(r["masks"])))
+
+
+def of_told(row):
+    """The Euler number where pieces and handles were asked for, and how far it is met."""
+    if not row["told"]:
+        return ""
+    words = [str(row["told"]["Euler"])] + ([] if row["told"]["met"] else [f"{row['told']['pieces']} pieces for {row['truepieces']}"])
+    return ", ".join(words + [f"{count} {what}" for what, count in row["told"]["bad"].items()])
 
 
 def complaints(method, row):
@@ -105,10 +126,11 @@ def complaints(method, row):
 HEADINGS = {"psm": """# Beside the truth
 
 Polyhedral Surface with its default settings on contours whose true surface is known: cross-section sets that come with one,
-and closed meshes cut by 24 planes, at the middles of 24 equal slices, along each axis. Written by `./run bench truth --markdown
+and closed meshes cut by 24 planes, at the middles of 24 equal slices, along each axis. Written by `./run bench truth --told --markdown
 Data/TRUTH.md`; the implicit method's are in [TRUTH_IMPLICIT.md](TRUTH_IMPLICIT.md). *Mean* and *largest* are distances between the two
 surfaces, both ways, in the units of the set; *SI* pairs of triangles
-that cross or overlap and edges where sheets cross; *open* edges without two faces; *seconds* processor time on one thread. Figures of
+that cross or overlap and edges where sheets cross; *told* the Euler number where `ExpectedPieces` and `ExpectedHandles` are those of the truth
+([pieces and handles](../Documentation/topology.md)); *open* edges without two faces; *seconds* processor time on one thread. Figures of
 SlicerRT's contour conversion and the best of the mask tools were measured on the same cuts. Masks filled from distances interpolated
 between slices mostly have the smaller largest distance: they are smooth across slices, where this surface is made of flat triangles that pass
 through every contour vertex.
@@ -130,25 +152,31 @@ def main():
     parser = argparse.ArgumentParser(prog="run bench truth")
     parser.add_argument("names", nargs="*", metavar="NAME")
     parser.add_argument("--method", choices=("psm", "fair", "ism"), default="psm")
+    parser.add_argument("--told", action="store_true")
     parser.add_argument("--markdown", metavar="FILE")
     parser.add_argument("--json", metavar="FILE")
     parser.add_argument("--set", action="append", default=[], metavar="PROPERTY=VALUE")
     parser.add_argument("--check", action="store_true")
     options = parser.parse_args()
+    if options.told and options.method == "ism":
+        parser.error("--told: the implicit method takes no pieces and handles.")
     if not os.path.isdir(SHARED):
         print(f"SKIPPED: {SHARED} is not there")
         return 77
     properties = {name: value_of(text) for name, text in (s.split("=", 1) for s in options.set)}
-    lines = [[title for title, _ in COLUMNS]]
+    columns = list(COLUMNS)
+    if options.told:
+        columns.insert(6, ("told", of_told))
+    lines = [[title for title, _ in columns]]
     rows = []
     for name, contours, reference in cases(options.names):
-        row = measure(options.method, name, contours, reference, properties)
+        row = measure(options.method, name, contours, reference, properties, options.told)
         rows.append(row)
-        lines.append([text(row) for _, text in COLUMNS])
+        lines.append([text(row) for _, text in columns])
         print("  ".join(lines[-1]), "; ".join(complaints(options.method, row)), flush=True)
     if options.markdown:
         with open(options.markdown, "w") as file:
-            file.write(HEADINGS[options.method] + "| " + " | ".join(lines[0]) + " |\n|" + "---|" * len(COLUMNS) + "\n")
+            file.write(HEADINGS[options.method] + "| " + " | ".join(lines[0]) + " |\n|" + "---|" * len(columns) + "\n")
             file.writelines("| " + " | ".join(cells) + " |\n" for cells in lines[1:])
     if options.json:
         with open(options.json, "w") as file:

@@ -195,4 +195,26 @@ stack = squares(*[(0, 0, z, 1) for z in (0, 1, 2, 7, 8, 9)])
 expect(simple.PolyhedralSurface(Input=stack), 1, "gap bridged")
 apart = expect(simple.PolyhedralSurface(Input=stack, MaximumGap=3, EndCaps="Flat"), 2, "gap not bridged")
 ct.check(abs(apart - 16) < 1e-9, f"gap not bridged: volume {apart}, not 16")
+
+
+def report_of(surface):
+    lines = ct.data(surface).GetFieldData().GetAbstractArray("Report")
+    return [lines.GetValue(i) for i in range(lines.GetNumberOfValues())]
+
+
+# Pieces and handles by contract: the same fork told to be one piece, and three that are told to be two.
+expect(simple.PolyhedralSurface(Input=forked, ExpectedPieces=1, **by_overlap), 1, "one piece by contract")
+told = simple.PolyhedralSurface(Input=forked, ExpectedPieces=1, ExpectedHandles=0, **by_overlap)
+ct.check(any("ExpectedPieces is 1 and ExpectedHandles is 0: instead of 2 pieces and 0 handles the surface has 1 piece and 0 handles" in line
+             for line in report_of(told)), "and the report says what was done")
+expect(simple.FairSurface(Input=forked, ExpectedPieces=1, **by_overlap), 1, "one fair piece by contract")
+unmet = simple.PolyhedralSurface(Input=towers, ExpectedPieces=9)
+ct.check(any("not what was asked for" in line for line in report_of(unmet)), "what cannot be met is said")
+mapping = simple.ContourMapping(Input=forked, ExpectedPieces=1)
+mapping.UpdatePipeline()
+joins = mapping.GetClientSideObject().GetOutputDataObject(1)
+rules = {(joins.GetColumnByName("LowerContour").GetValue(r), joins.GetColumnByName("UpperContour").GetValue(r)):
+         (joins.GetColumnByName("Rule").GetValue(r), joins.GetColumnByName("Joined").GetValue(r)) for r in range(joins.GetNumberOfRows())}
+ct.check(rules[0, 2] == ("Contract", 1), f"the table of joins has the decision by that rule: {rules}")
+
 ct.finish()

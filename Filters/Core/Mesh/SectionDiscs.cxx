@@ -192,21 +192,25 @@ private:
     for (const Edge& start : starts)
     {
       Loop loop;
-      for (auto step = next.find(start); step != next.end(); step = next.find(step->second.To))
+      Edge end = start;
+      for (auto step = next.find(start); step != next.end() && step->second.Triangle >= 0;
+           step = next.find(end))
       {
-        if (step->second.Triangle < 0)
-        {
-          break; // been here
-        }
+        end = step->second.To;
         loop.Edges.push_back(step->first);
         loop.Triangles.push_back(step->second.Triangle);
         loop.Corners.push_back(CrossingAt(this->Mesh, this->Frame, step->first, height));
         step->second.Triangle = -1;
       }
-      if (loop.Edges.size() >= 3)
+      if (loop.Edges.empty())
       {
-        loops.push_back(std::move(loop));
+        continue; // been here
       }
+      if (end != start)
+      {
+        return {}; // a triangle reaches beyond the level, so nesting could not be told
+      }
+      loops.push_back(std::move(loop));
     }
     return loops;
   }

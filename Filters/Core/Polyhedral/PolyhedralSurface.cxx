@@ -8,6 +8,7 @@
 #include "Mesh/PiecesAndHandles.h"
 #include "Mesh/PinchGap.h"
 #include "Mesh/SectionCuts.h"
+#include "Mesh/SheetLinks.h"
 #include "Polyhedral/FaceGroups.h"
 #include "Polyhedral/PinchedPoints.h"
 #include "Polyhedral/PolyhedralStages.h"
@@ -58,7 +59,11 @@ public:
     this->CopyPoints(solid, boundary);
     this->CopyFaces(solid, boundary);
     this->MeasureCaps(solid);
-    this->CutHandles();
+    if (AsksForTopology(this->Options) && this->Options.EndCaps != PolyhedralOptions::NoCaps)
+    {
+      this->LinkPieces();
+      this->CutHandles();
+    }
     this->UndoCrossings();
     this->OpenPinches();
     this->Observer.Update(1, "extracting the surface");
@@ -160,7 +165,67 @@ private:
     }
   }
 
-  /// Where ExpectedHandles asks for fewer than there are.
+  std::vector<double> Offsets() const
+  {
+    std::vector<double> offsets;
+    for (const Level& level : this->Contours.Levels)
+    {
+      offsets.push_back(level.Offset);
+    }
+    return offsets;
+  }
+
+  /// What a triangle was made of tells what it is.
+  void RelabelTriangles(const std::vector<int>& partOf)
+  {
+    for (std::vector<int>* ofTriangle : { &this->Result.Slab, &this->Result.FaceKind,
+           &this->Result.MappingGroup, &this->Result.Piece })
+    {
+      const std::vector<int> before = *ofTriangle;
+      ofTriangle->clear();
+      for (const int whole : partOf)
+      {
+        ofTriangle->push_back(before[static_cast<std::size_t>(whole)]);
+      }
+    }
+    this->Result.PointKind.resize(this->Result.Mesh.Points.size(), LevelTriangulation::Internal);
+  }
+
+  /// Where there are still more pieces, or fewer handles, than asked for.
+  void LinkPieces()
+  {
+    const PiecesAndHandles count = CountPiecesAndHandles(this->Result.Mesh);
+    const int pieces = this->Options.ExpectedPieces;
+    const LinksWanted wanted{ pieces < 0 ? 0 : std::max(0, count.Pieces - pieces),
+      std::max(0, this->Options.ExpectedHandles - count.Handles) };
+    if (wanted.Pieces + wanted.Handles == 0)
+    {
+      return;
+    }
+    const SheetLinks links = LinkSheets(
+      this->Result.Mesh, this->Contours.Levels[0].Frame, this->Offsets(), wanted, this->Observer);
+    double longest = 0;
+    for (const SheetLink& link : links.Links)
+    {
+      const double length = Norm(link.To - link.From);
+      longest = std::max(longest, length);
+      this->Result.Contract.push_back(
+        { link.ThroughSolid ? ContractDecision::Tunnel : ContractDecision::Join, link.Slab,
+          this->NearestContour(link.Slab, link.From), this->NearestContour(link.Slab + 1, link.To),
+          length });
+    }
+    this->RelabelTriangles(links.PartOf);
+    if (!links.Links.empty())
+    {
+      this->Result.Report.push_back(Counted(links.Links.size(), "thin straight tube") +
+        ", at most " + Text(longest) +
+        " long, made for ExpectedPieces and ExpectedHandles: no slice shows what holds these "
+        "pieces "
+        "together, so where it is and how wide is made up.");
+    }
+  }
+
+  /// Where there are more handles than asked for.
   void CutHandles()
   {
     const int tooMany = this->Options.ExpectedHandles < 0
@@ -170,30 +235,15 @@ private:
     {
       return;
     }
-    std::vector<double> offsets;
-    for (const Level& level : this->Contours.Levels)
-    {
-      offsets.push_back(level.Offset);
-    }
     const SectionCuts cuts = recon::CutHandles(
-      this->Result.Mesh, this->Contours.Levels[0].Frame, offsets, tooMany, this->Observer);
+      this->Result.Mesh, this->Contours.Levels[0].Frame, this->Offsets(), tooMany, this->Observer);
     for (const SectionCut& cut : cuts.Cuts)
     {
       this->Result.Contract.push_back({ cut.Solid ? ContractDecision::Cut : ContractDecision::Fill,
         cut.Slab, this->NearestContour(cut.Slab, cut.Place),
         this->NearestContour(cut.Slab + 1, cut.Place), cut.Area });
     }
-    for (std::vector<int>* ofTriangle : { &this->Result.Slab, &this->Result.FaceKind,
-           &this->Result.MappingGroup, &this->Result.Piece })
-    {
-      const std::vector<int> before = *ofTriangle;
-      ofTriangle->clear();
-      for (const int whole : cuts.PartOf)
-      {
-        ofTriangle->push_back(before[static_cast<std::size_t>(whole)]);
-      }
-    }
-    this->Result.PointKind.resize(this->Result.Mesh.Points.size(), LevelTriangulation::Internal);
+    this->RelabelTriangles(cuts.PartOf);
   }
 
   /// By its vertices: for a sentence.

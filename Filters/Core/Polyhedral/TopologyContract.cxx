@@ -290,7 +290,7 @@ std::string WhyNotMet(const PolyhedralOptions& options, const Excess& left, bool
 
 bool AsksForTopology(const PolyhedralOptions& options)
 {
-  return options.ExpectedPieces >= 0 || options.ExpectedHandles >= 0;
+  return options.ExpectedPieces != -1 || options.ExpectedHandles != -1;
 }
 
 MetContract MeetContract(
