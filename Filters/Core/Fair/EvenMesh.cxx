@@ -25,10 +25,11 @@ constexpr int MostAttempts = 4;
 class Evener
 {
 public:
-  Evener(const TriangleMesh& given, const std::vector<char>& parts, double edgeLength, int threads,
-    Monitor& monitor)
+  Evener(const TriangleMesh& given, const std::vector<char>& parts, const PlacesToKeep& keep,
+    double edgeLength, int threads, Monitor& monitor)
     : Given(given),
       Parts(parts),
+      Keep(keep),
       Surface(given),
       EdgeLength(edgeLength),
       Threads(threads),
@@ -57,7 +58,9 @@ private:
   void Once(bool lookEverywhere, Monitor& silent, EvenMesh& even) const
   {
     EvenPasses passes(
-      this->Given, this->Parts, this->Surface, this->EdgeLength, this->Threads, silent);
+      this->Given, this->Parts, this->Surface, this->Keep, this->EdgeLength, this->Threads, silent);
+    // Nothing is known of what is near before edges are short, so the last attempt looks at once.
+    std::fill(passes.Thin.begin(), passes.Thin.end(), lookEverywhere ? 1 : 0);
     passes.CollapseShort();
     passes.SplitLong();
     this->MarkThin(passes, lookEverywhere);
@@ -110,6 +113,7 @@ private:
 
   const TriangleMesh& Given;
   const std::vector<char>& Parts;
+  const PlacesToKeep& Keep;
   SurfacePlaces Surface;
   double EdgeLength;
   int Threads;
@@ -118,17 +122,17 @@ private:
 };
 }
 
-EvenMesh MakeEvenMesh(const TriangleMesh& given, const std::vector<char>& parts, double edgeLength,
-  int threads, Monitor& monitor)
+EvenMesh MakeEvenMesh(const TriangleMesh& given, const std::vector<char>& parts,
+  const PlacesToKeep& keep, double edgeLength, int threads, Monitor& monitor)
 {
-  return Evener(given, parts, edgeLength, threads, monitor).Make();
+  return Evener(given, parts, keep, edgeLength, threads, monitor).Make();
 }
 
-TriangleMesh MendMesh(const TriangleMesh& given, const std::vector<char>& parts, double edgeLength,
-  int threads, Monitor& monitor)
+TriangleMesh MendMesh(const TriangleMesh& given, const std::vector<char>& parts,
+  const PlacesToKeep& keep, double edgeLength, int threads, Monitor& monitor)
 {
   const SurfacePlaces surface(given);
-  EvenPasses passes(given, parts, surface, edgeLength, threads, monitor);
+  EvenPasses passes(given, parts, surface, keep, edgeLength, threads, monitor);
   // Every change is looked at, so nothing crosses that did not before.
   std::fill(passes.Thin.begin(), passes.Thin.end(), 1);
   passes.Flip();

@@ -7,6 +7,7 @@
 #define recon_EvenMesh_h
 
 #include "Base/Monitor.h"
+#include "Fair/KeptPlaces.h"
 #include "Mesh/TriangleMesh.h"
 
 #include <cstdint>
@@ -27,15 +28,16 @@ struct EvenMesh
  * does not cross itself neither does this one.
  *
  * @param parts of the given triangles, or empty: where they meet a crease runs, which stays where it is
- * @param edgeLength what edges should have @throws Aborted
+ * @param keep places of the given surface, which are kept @param edgeLength what edges should have
+ * @throws Aborted
  */
-EvenMesh MakeEvenMesh(const TriangleMesh& given, const std::vector<char>& parts, double edgeLength,
-  int threads, Monitor& monitor);
+EvenMesh MakeEvenMesh(const TriangleMesh& given, const std::vector<char>& parts,
+  const PlacesToKeep& keep, double edgeLength, int threads, Monitor& monitor);
 
 /// Only flips diagonals, and takes small angles away, of a mesh that is even already; no other point
 /// moves. The rest as above.
-TriangleMesh MendMesh(const TriangleMesh& given, const std::vector<char>& parts, double edgeLength,
-  int threads, Monitor& monitor);
+TriangleMesh MendMesh(const TriangleMesh& given, const std::vector<char>& parts,
+  const PlacesToKeep& keep, double edgeLength, int threads, Monitor& monitor);
 }
 
 #endif

@@ -3,8 +3,6 @@
 
 #include "Base/Angles.h"
 #include "Base/Parallel.h"
-#include "Base/Predicates.h"
-#include "Mesh/TrianglePair.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,32 +35,16 @@ constexpr double Reach = 1;
 constexpr int MostPasses = 6;
 constexpr std::size_t PointsABlock = 1024;
 
-/// Corners and what is beside their box, which most points are, need no predicate.
-bool IsWithin(const Point3& p, const std::array<Point3, 4>& corners)
-{
-  Box3 box;
-  std::for_each(corners.begin(), corners.end(), [&box](const Point3& q) { box.Add(q); });
-  if (!box.Contains(p) || std::find(corners.begin(), corners.end(), p) != corners.end())
-  {
-    return false;
-  }
-  const int turn = Orientation3(corners[0], corners[1], corners[2], corners[3]);
-  bool within = turn != 0;
-  for (std::size_t k = 0; k < 4 && within; ++k)
-  {
-    std::array<Point3, 4> other = corners;
-    other[k] = p;
-    within = Orientation3(other[0], other[1], other[2], other[3]) == turn;
-  }
-  return within;
-}
 }
 
 EvenPasses::EvenPasses(const TriangleMesh& mesh, const std::vector<char>& parts,
-  const SurfacePlaces& surface, double edgeLength, int threads, Monitor& monitor)
+  const SurfacePlaces& surface, const PlacesToKeep& keep, double edgeLength, int threads,
+  Monitor& monitor)
   : Mesh(mesh, parts),
     Normals(PointNormals(mesh)),
     Thin(mesh.Points.size(), 0),
+    Watch(Mesh, edgeLength),
+    Kept(Mesh, keep, threads, monitor),
     Home(mesh.Points.size(), -1),
     Surface(surface),
     EdgeLength(edgeLength),
@@ -144,13 +126,10 @@ void EvenPasses::SplitLong()
       this->Normals.push_back(length > 0 ? (1 / length) * sum : this->Normals[a]);
       this->Thin.push_back(this->Thin[a] || this->Thin[b] ? 1 : 0);
       this->Home.push_back(std::max(this->Home[a], this->Home[b]));
-      if (this->Grid)
-      {
-        for (const int s : this->Mesh.Around(static_cast<int>(this->Mesh.Points.size()) - 1))
-        {
-          this->Register(s);
-        }
-      }
+      const std::vector<int> cut =
+        this->Mesh.Around(static_cast<int>(this->Mesh.Points.size()) - 1);
+      this->Watch.Register(cut);
+      this->Kept.TakeCut(cut);
     }
   }
 }
@@ -209,6 +188,22 @@ double EvenPasses::QualityOfCollapse(int from, int into, double cosine) const
   return after > std::min(before, 0.5 * GoodTangent) ? after : -1;
 }
 
+std::vector<KeptPlaces::Change> EvenPasses::AfterCollapse(
+  const std::vector<int>& around, int from, int into) const
+{
+  std::vector<KeptPlaces::Change> after;
+  for (const int t : around)
+  {
+    if (this->Mesh.CornerOf(t, into) < 0)
+    {
+      Triangle moved = this->Mesh.Triangles[t];
+      std::replace(moved.begin(), moved.end(), from, into);
+      after.emplace_back(t, moved);
+    }
+  }
+  return after;
+}
+
 bool EvenPasses::Collapse(int u, int v, double cosine)
 {
   const double intoV = this->Mesh.MayCollapse(u, v) ? this->QualityOfCollapse(u, v, cosine) : -1;
@@ -218,20 +213,25 @@ bool EvenPasses::Collapse(int u, int v, double cosine)
     return false;
   }
   const int from = intoV >= intoU ? u : v;
+  const int into = from == u ? v : u;
   const std::vector<int> around = this->Mesh.Around(from);
+  if (!this->Kept.MayChange(around, this->AfterCollapse(around, from, into)))
+  {
+    return false;
+  }
   const bool look =
     cosine < UsualCosine || this->AnyThin(around) || this->AgreementWanted(around, cosine) < cosine;
-  const int into = from == u ? v : u;
-  const auto way =
-    look ? this->WayOf(around, from, this->Mesh.Points[into]) : std::vector<Tetrahedron>();
+  const auto way = look ? this->Watch.WayOf(around, from, this->Mesh.Points[into])
+                        : std::vector<CrossingWatch::Tetrahedron>();
   const LinkedMesh::Memory memory = look ? this->Mesh.Remember(around) : LinkedMesh::Memory();
   this->Mesh.Collapse(from, into);
-  if (look && (this->AnyCrosses(around) || this->AnyPointWithin(way)))
+  if (look && (this->Watch.AnyCrosses(around) || this->Watch.AnyPointWithin(way)))
   {
     this->Mesh.PutBack(memory);
     return false;
   }
-  std::for_each(around.begin(), around.end(), [this](int t) { this->Register(t); });
+  this->Watch.Register(around);
+  this->Kept.Commit();
   return true;
 }
 
@@ -297,7 +297,8 @@ bool EvenPasses::FlipIfBetter(int t, int k, double cosine)
     Norm(this->Mesh.Points[a] - this->Mesh.Points[d]) >
       std::max(LongestMade * this->EdgeLength, this->Mesh.SideLength(t, k)) ||
     !(Dot(this->Mesh.AreaNormal(one), this->Mesh.AreaNormal(other)) > 0) ||
-    !this->Mesh.MayFlip(t, k))
+    !this->Mesh.MayFlip(t, k) ||
+    !this->Kept.MayChange({ t, across }, { { t, one }, { across, other } }))
   {
     return false;
   }
@@ -305,15 +306,16 @@ bool EvenPasses::FlipIfBetter(int t, int k, double cosine)
   const LinkedMesh::Memory memory =
     look ? this->Mesh.Remember({ t, across }) : LinkedMesh::Memory();
   const auto& points = this->Mesh.Points;
-  const Tetrahedron between{ points[a], points[b], points[c], points[d] };
+  const CrossingWatch::Tetrahedron between{ points[a], points[b], points[c], points[d] };
   this->Mesh.Flip(t, k);
-  if (look && (this->AnyCrosses({ t, across }) || this->AnyPointWithin({ between })))
+  if (look && (this->Watch.AnyCrosses({ t, across }) || this->Watch.AnyPointWithin({ between })))
   {
     this->Mesh.PutBack(memory);
     return false;
   }
-  this->Register(t);
-  this->Register(across);
+  this->Watch.Register(t);
+  this->Watch.Register(across);
+  this->Kept.Commit();
   return true;
 }
 
@@ -325,118 +327,6 @@ bool EvenPasses::AnyThin(const std::vector<int>& triangles) const
       const Triangle& corners = this->Mesh.Triangles[t];
       return this->Thin[corners[0]] || this->Thin[corners[1]] || this->Thin[corners[2]];
     });
-}
-
-Box3 EvenPasses::BoxOf(int t) const
-{
-  Box3 box;
-  for (const int v : this->Mesh.Triangles[t])
-  {
-    box.Add(this->Mesh.Points[v]);
-  }
-  return box;
-}
-
-/// To be put into the grid anew, before it is asked again.
-void EvenPasses::Register(int t)
-{
-  if (!this->Grid)
-  {
-    return;
-  }
-  this->IsChanged.resize(this->Mesh.Triangles.size(), 0);
-  if (!this->IsChanged[t])
-  {
-    this->IsChanged[t] = 1;
-    this->Changed.push_back(t);
-  }
-}
-
-void EvenPasses::PutChanged()
-{
-  for (const int t : this->Changed)
-  {
-    this->IsChanged[t] = 0;
-    if (this->Mesh.IsAlive(t))
-    {
-      const Box3 box = this->BoxOf(t);
-      this->Grid->Put(t, box.Low, box.High);
-    }
-  }
-  this->Changed.clear();
-}
-
-bool EvenPasses::Crosses(int t)
-{
-  const Box3 box = this->BoxOf(t);
-  return this->Grid->AnyNear(box.Low, box.High,
-    [&](int s)
-    {
-      if (s == t || !this->Mesh.IsAlive(s) || !this->BoxOf(s).Meets(box))
-      {
-        return false;
-      }
-      const PairRelation relation = RelateTriangles(this->Mesh.Mesh, s, t);
-      return relation == PairRelation::Crossing || relation == PairRelation::Overlapping;
-    });
-}
-
-/// What the triangles around a point go through when it goes to another place.
-std::vector<EvenPasses::Tetrahedron> EvenPasses::WayOf(
-  const std::vector<int>& around, int v, const Point3& to) const
-{
-  const auto& points = this->Mesh.Points;
-  std::vector<Tetrahedron> way;
-  for (const int t : around)
-  {
-    const Triangle& corners = this->Mesh.Triangles[t];
-    const int k = this->Mesh.CornerOf(t, v);
-    way.push_back({ to, points[v], points[corners[(k + 1) % 3]], points[corners[(k + 2) % 3]] });
-  }
-  return way;
-}
-
-/// Of the triangles in the grid, which knows the changes. Nothing crosses where a small piece is gone
-/// through as a whole; but then it is within another one.
-bool EvenPasses::AnyPointWithin(const std::vector<Tetrahedron>& way) const
-{
-  Box3 whole;
-  for (const Tetrahedron& corners : way)
-  {
-    std::for_each(corners.begin(), corners.end(), [&whole](const Point3& p) { whole.Add(p); });
-  }
-  const auto isWithin = [&](int v)
-  {
-    const Point3& p = this->Mesh.Points[v];
-    return whole.Contains(p) &&
-      std::any_of(
-        way.begin(), way.end(), [&p](const Tetrahedron& corners) { return IsWithin(p, corners); });
-  };
-  return this->Grid->AnyNear(whole.Low, whole.High,
-    [&](int t)
-    {
-      const Triangle& corners = this->Mesh.Triangles[t];
-      return this->Mesh.IsAlive(t) && std::any_of(corners.begin(), corners.end(), isWithin);
-    });
-}
-
-bool EvenPasses::AnyCrosses(const std::vector<int>& triangles)
-{
-  if (!this->Grid)
-  {
-    this->Grid = std::make_unique<TriangleGrid>(2 * this->EdgeLength);
-    for (int t = 0; t < static_cast<int>(this->Mesh.Triangles.size()); ++t)
-    {
-      this->Register(t);
-    }
-  }
-  for (const int t : triangles)
-  {
-    this->Register(t);
-  }
-  this->PutChanged();
-  return std::any_of(triangles.begin(), triangles.end(),
-    [this](int t) { return this->Mesh.IsAlive(t) && this->Crosses(t); });
 }
 
 void EvenPasses::Flip()
@@ -540,7 +430,8 @@ void EvenPasses::Place(int v, Point3& place, Vector3& normal)
 {
   const std::vector<int> around = this->Mesh.Around(v);
   const bool look = this->AnyThin(around);
-  const auto way = look ? this->WayOf(around, v, place) : std::vector<Tetrahedron>();
+  const auto way =
+    look ? this->Watch.WayOf(around, v, place) : std::vector<CrossingWatch::Tetrahedron>();
   const double before = this->QualityOf(around);
   const auto exchange = [&]
   {
@@ -549,12 +440,22 @@ void EvenPasses::Place(int v, Point3& place, Vector3& normal)
     this->Mesh.Forget(around);
   };
   exchange();
+  std::vector<KeptPlaces::Change> after;
+  for (const int t : around)
+  {
+    after.emplace_back(t, this->Mesh.Triangles[t]);
+  }
   if (!(this->QualityOf(around) > std::min(before, GoodTangent)) ||
-    (look && (this->AnyCrosses(around) || this->AnyPointWithin(way))))
+    !this->Kept.MayChange(around, after) ||
+    (look && (this->Watch.AnyCrosses(around) || this->Watch.AnyPointWithin(way))))
   {
     exchange();
   }
-  std::for_each(around.begin(), around.end(), [this](int t) { this->Register(t); });
+  else
+  {
+    this->Kept.Commit();
+  }
+  this->Watch.Register(around);
 }
 
 bool EvenPasses::Mend(int t, double cosine)

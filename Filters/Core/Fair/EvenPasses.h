@@ -7,13 +7,12 @@
 #ifndef recon_EvenPasses_h
 #define recon_EvenPasses_h
 
-#include "Base/BoundingBox.h"
 #include "Base/Monitor.h"
+#include "Fair/CrossingWatch.h"
+#include "Fair/KeptPlaces.h"
 #include "Fair/LinkedMesh.h"
 #include "Fair/SurfacePlaces.h"
-#include "Implicit/ZeroSet/TriangleGrid.h"
 
-#include <memory>
 #include <vector>
 
 namespace recon
@@ -26,7 +25,8 @@ constexpr double FairLeastAngle = 5;
  * @brief Splits, collapses, flips and spreads over a LinkedMesh, which keep the manifold's genus.
  *
  * No triangle turns against the surface's normals. Where these say nothing, as on needles and knife
- * edges, and where another sheet is near, no change is made by which triangles cross.
+ * edges, and where another sheet is near, no change is made by which triangles cross. None is made by
+ * which a place to keep comes to lie farther away than it may.
  */
 class EvenPasses
 {
@@ -34,7 +34,7 @@ public:
   /// @param surface what points are put back onto; outlives this
   /// @param parts see LinkedMesh @param edgeLength what edges should have
   EvenPasses(const TriangleMesh& mesh, const std::vector<char>& parts, const SurfacePlaces& surface,
-    double edgeLength, int threads, Monitor& monitor);
+    const PlacesToKeep& keep, double edgeLength, int threads, Monitor& monitor);
 
   void SplitLong();
   void CollapseShort();
@@ -62,22 +62,15 @@ private:
   Point3 Middle(int v) const;
   void Place(int v, Point3& place, Vector3& normal);
   bool AnyThin(const std::vector<int>& triangles) const;
-  Box3 BoxOf(int t) const;
-  void Register(int t);
-  void PutChanged();
-  bool Crosses(int t);
-  bool AnyCrosses(const std::vector<int>& triangles);
+  std::vector<KeptPlaces::Change> AfterCollapse(
+    const std::vector<int>& around, int from, int into) const;
   bool Mend(int t, double cosine);
-  using Tetrahedron = std::array<Point3, 4>;
-  std::vector<Tetrahedron> WayOf(const std::vector<int>& around, int v, const Point3& to) const;
-  bool AnyPointWithin(const std::vector<Tetrahedron>& way) const;
 
+  CrossingWatch Watch;
+  KeptPlaces Kept;
   std::vector<int> Home; ///< a point: triangle of the surface that it was last put on, -1 before
   const SurfacePlaces& Surface;
   double EdgeLength;
-  std::unique_ptr<TriangleGrid> Grid; ///< made when it is first asked
-  std::vector<int> Changed;           ///< triangles that the grid does not know yet as they are
-  std::vector<char> IsChanged;        ///< a triangle
   int Threads;
   Monitor& Observer;
 };

@@ -182,7 +182,7 @@ TriangleMesh PullWithin(const TriangleMesh& mesh, const std::vector<ContourSampl
       break;
     }
     const double leastAngle = round < Rounds ? FairLeastAngle * Pi / 180 : 0;
-    pulled = MoveUncrossed(pulled, moved.Points, leastAngle, options.Threads, monitor).Mesh;
+    pulled = MoveUncrossed(pulled, moved.Points, leastAngle, {}, options.Threads, monitor).Mesh;
   }
   return pulled;
 }

@@ -48,6 +48,12 @@ constexpr double DrawnWeight = 1e4;
 constexpr double StaircaseWeight = 30;
 /// Of a staircase's step, how far the surface may leave it.
 constexpr double StaircaseTolerance = 0.5;
+/// Of the tolerance, within which the even mesh passes the contours' vertices, so that what is held back
+/// can come to lie there; and all but what may be rounding.
+constexpr double EvenPart = 0.9;
+constexpr double KeptPart = 0.999;
+/// Of the largest coordinate: tolerances below are none.
+constexpr double Rounding = 1e-12;
 
 double AreaOf(const TriangleMesh& mesh)
 {
@@ -182,10 +188,36 @@ private:
   void MakeEven()
   {
     SubMonitor part(this->Observer, 0.2, 0.6);
-    this->Even = MakeEvenMesh(this->Polyhedral.Mesh, this->PartsOfPolyhedral(),
-      this->Result.EdgeLength, this->Options.Threads, part);
-    this->KeepEnds();
     this->Samples = SampleContours(this->Contours, this->Polyhedral.Mesh, this->Result.EdgeLength);
+    this->Even = MakeEvenMesh(this->Polyhedral.Mesh, this->PartsOfPolyhedral(),
+      this->VerticesWithin(EvenPart), this->Result.EdgeLength, this->Options.Threads, part);
+    this->KeepEnds();
+  }
+
+  double LargestCoordinate() const
+  {
+    double largest = 0;
+    for (const Point3& p : this->Polyhedral.Mesh.Points)
+    {
+      largest = std::max({ largest, std::abs(p[0]), std::abs(p[1]), std::abs(p[2]) });
+    }
+    return largest;
+  }
+
+  /// The contours' vertices, to be kept within a part of the tolerance.
+  PlacesToKeep VerticesWithin(double part) const
+  {
+    PlacesToKeep keep;
+    const double rounding = Rounding * this->LargestCoordinate();
+    keep.Within = this->Result.Tolerance > rounding ? part * this->Result.Tolerance : 0;
+    for (const ContourSample& sample : this->Samples)
+    {
+      if (sample.IsVertex)
+      {
+        keep.Places.push_back(sample.Place);
+      }
+    }
+    return keep;
   }
 
   /// Flat ends are parts of their own: their rim is a crease.
@@ -272,18 +304,26 @@ private:
     const std::vector<Point3> moved =
       SolveWithin(this->Even.Mesh, pulls, this->Result.Tension, this->Fit, part);
     UncrossedMove made =
-      MoveUncrossed(this->Even.Mesh, moved, 0, this->Options.Threads, this->Silent);
+      MoveUncrossed(this->Even.Mesh, moved, 0, {}, this->Options.Threads, this->Silent);
     this->Result.HeldBack = made.HeldBack;
-    this->Result.Mesh = MendMesh(
-      made.Mesh, this->Even.Parts, this->Result.EdgeLength, this->Options.Threads, this->Silent);
+    this->Result.Mesh = std::move(made.Mesh);
   }
 
   void Finish()
   {
     SubMonitor part(this->Observer, 0.85, 1);
     this->Result.Mesh = PullWithin(this->Result.Mesh, this->Samples, this->Fit, part);
-    const SampleMisfit misfit = MeasureMisfit(this->Result.Mesh, this->Samples,
-      this->Result.Tolerance, this->Options.Threads, this->Silent);
+    const PlacesToKeep keep = this->VerticesWithin(KeptPart);
+    if (this->Measure().Beyond > 0)
+    {
+      UncrossedMove kept = MoveUncrossed(
+        this->Even.Mesh, this->Result.Mesh.Points, 0, keep, this->Options.Threads, this->Silent);
+      this->Result.HeldBack += kept.HeldBack;
+      this->Result.Mesh = std::move(kept.Mesh);
+    }
+    this->Result.Mesh = MendMesh(this->Result.Mesh, this->Even.Parts, keep, this->Result.EdgeLength,
+      this->Options.Threads, this->Silent);
+    const SampleMisfit misfit = this->Measure();
     this->Result.Farthest = misfit.Farthest;
     this->Result.Beyond = misfit.Beyond;
     this->Result.Thin = std::count_if(this->Result.Mesh.Triangles.begin(),
@@ -293,6 +333,12 @@ private:
         const auto& points = this->Result.Mesh.Points;
         return SmallestAngle(points[t[0]], points[t[1]], points[t[2]]) < FairLeastAngle * Pi / 180;
       });
+  }
+
+  SampleMisfit Measure()
+  {
+    return MeasureMisfit(this->Result.Mesh, this->Samples, this->Result.Tolerance,
+      this->Options.Threads, this->Silent);
   }
 
   void Tell()

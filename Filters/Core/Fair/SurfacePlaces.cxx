@@ -33,6 +33,13 @@ std::pair<double, double> NearestOfSide(const Point3& p, const Point3& a, const 
 SurfacePlace NearestOfTriangle(const Point3& p, const Point3& a, const Point3& b, const Point3& c)
 {
   SurfacePlace place;
+  // Of a corner the distance is 0, not the rounding of its height.
+  if (p == a || p == b || p == c)
+  {
+    place.Shares = { p == a ? 1.0 : 0.0, p != a && p == b ? 1.0 : 0.0,
+      p != a && p != b ? 1.0 : 0.0 };
+    return place;
+  }
   const Vector3 normal = Cross(b - a, c - a);
   const double square = Dot(normal, normal);
   if (square > 0)

@@ -19,14 +19,17 @@ constexpr int MostAttempts = 10;
 class Mover
 {
 public:
-  Mover(const TriangleMesh& mesh, const std::vector<Point3>& places, double leastAngle, int threads,
-    Monitor& monitor)
+  Mover(const TriangleMesh& mesh, const std::vector<Point3>& places, double leastAngle,
+    const PlacesToKeep& keep, int threads, Monitor& monitor)
     : Given(mesh),
       Places(places),
       LeastAngle(leastAngle),
+      Keep(keep),
       Threads(threads),
       Observer(monitor),
-      Share(mesh.Points.size(), 1)
+      Share(mesh.Points.size(), 1),
+      Rest(FindWitnesses(mesh, keep, threads, monitor)),
+      Witness(Rest)
   {
   }
 
@@ -35,6 +38,7 @@ public:
     UncrossedMove moved;
     moved.Mesh = this->Given;
     std::vector<char> changed = this->MovedTriangles();
+    this->HoldLostPoints(moved.Mesh, changed);
     for (int attempt = 0; attempt < MostAttempts; ++attempt)
     {
       this->Apply(moved.Mesh);
@@ -98,9 +102,9 @@ private:
     }
   }
 
-  /// Points of triangles that cross or are too thin now, among those that have changed since this was
+  /// Points of triangles that cross or are too thin now, or had a place that is lost, among those that have changed since this was
   /// asked last: the others were well then.
-  std::vector<char> FindBad(const TriangleMesh& mesh, const std::vector<char>& changed) const
+  std::vector<char> FindBad(const TriangleMesh& mesh, const std::vector<char>& changed)
   {
     std::vector<char> bad(mesh.Points.size(), 0);
     const auto mark = [&](int t)
@@ -129,7 +133,66 @@ private:
         mark(t);
       }
     }
+    for (const std::size_t i : this->FindLost(mesh, changed))
+    {
+      mark(this->Rest[i]);
+    }
     return bad;
+  }
+
+  /// Places to keep that the mesh passes no more, among those near what has changed.
+  std::vector<std::size_t> FindLost(const TriangleMesh& mesh, const std::vector<char>& changed)
+  {
+    std::vector<std::size_t> lost;
+    PlacesToKeep left;
+    left.Within = this->Keep.Within;
+    for (std::size_t i = 0; i < this->Witness.size(); ++i)
+    {
+      const int t = this->Witness[i];
+      if (t >= 0 && changed[t] &&
+        this->DistanceTo(mesh, t, this->Keep.Places[i]) > this->Keep.Within)
+      {
+        lost.push_back(i);
+        left.Places.push_back(this->Keep.Places[i]);
+      }
+    }
+    if (lost.empty())
+    {
+      return lost;
+    }
+    // Another triangle may have come nearer.
+    const std::vector<int> others = FindWitnesses(mesh, left, this->Threads, this->Observer);
+    std::vector<std::size_t> without;
+    for (std::size_t k = 0; k < lost.size(); ++k)
+    {
+      const std::size_t i = lost[k];
+      this->Witness[i] = others[k] >= 0 ? others[k] : this->Rest[i];
+      if (others[k] < 0)
+      {
+        without.push_back(i);
+      }
+    }
+    return without;
+  }
+
+  double DistanceTo(const TriangleMesh& mesh, int t, const Point3& p) const
+  {
+    const auto& corners = mesh.Triangles[t];
+    return this->Keep.DistanceTo(
+      p, mesh.Points[corners[0]], mesh.Points[corners[1]], mesh.Points[corners[2]]);
+  }
+
+  /// Points that are at a place to keep which would be lost stay there.
+  void HoldLostPoints(TriangleMesh& mesh, const std::vector<char>& changed)
+  {
+    this->Apply(mesh);
+    for (const std::size_t i : this->FindLost(mesh, changed))
+    {
+      for (const int v : this->Given.Triangles[this->Rest[i]])
+      {
+        this->Share[v] = this->Given.Points[v] == this->Keep.Places[i] ? 0 : this->Share[v];
+      }
+    }
   }
 
   /// The points of pieces that were well and are turned now, though nothing crosses.
@@ -175,17 +238,20 @@ private:
   const TriangleMesh& Given;
   const std::vector<Point3>& Places;
   double LeastAngle;
+  const PlacesToKeep& Keep;
   int Threads;
   Monitor& Observer;
   std::vector<double> Share; ///< of its way, a point
+  std::vector<int> Rest;    ///< of a place to keep, its triangle before the move; -1: there is none
+  std::vector<int> Witness; ///< the same of the mesh as it is
   TriangleComponents Pieces; ///< of the given mesh, when they are asked for
   std::vector<char> Before;  ///< which of them were turned from the beginning
 };
 }
 
 UncrossedMove MoveUncrossed(const TriangleMesh& mesh, const std::vector<Point3>& places,
-  double leastAngle, int threads, Monitor& monitor)
+  double leastAngle, const PlacesToKeep& keep, int threads, Monitor& monitor)
 {
-  return Mover(mesh, places, leastAngle, threads, monitor).Move();
+  return Mover(mesh, places, leastAngle, keep, threads, monitor).Move();
 }
 }

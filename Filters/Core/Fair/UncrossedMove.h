@@ -7,6 +7,7 @@
 #define recon_UncrossedMove_h
 
 #include "Base/Monitor.h"
+#include "Fair/KeptPlaces.h"
 #include "Mesh/TriangleMesh.h"
 
 #include <cstddef>
@@ -26,10 +27,11 @@ struct UncrossedMove
  * a neighbourhood that grows: as the given mesh does not cross itself, it comes to an end.
  *
  * @param leastAngle (radians) below this no triangle's least angle may come by the move; 0: any may
- * @throws Aborted
+ * @param keep places that the mesh passes, and goes on to pass: as it does before the move, that comes to
+ * an end, too @throws Aborted
  */
 UncrossedMove MoveUncrossed(const TriangleMesh& mesh, const std::vector<Point3>& places,
-  double leastAngle, int threads, Monitor& monitor);
+  double leastAngle, const PlacesToKeep& keep, int threads, Monitor& monitor);
 }
 
 #endif

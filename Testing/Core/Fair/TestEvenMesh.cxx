@@ -7,6 +7,7 @@
 #include "Fair/EvenPasses.h"
 #include "Mesh/MassProperties.h"
 #include "Mesh/MeshTopology.h"
+#include "Mesh/TriangleTree.h"
 
 #include <gtest/gtest.h>
 
@@ -24,7 +25,7 @@ namespace
 void ExpectEven(const TriangleMesh& given, double edgeLength)
 {
   Monitor monitor;
-  const EvenMesh even = MakeEvenMesh(given, {}, edgeLength, 1, monitor);
+  const EvenMesh even = MakeEvenMesh(given, {}, {}, edgeLength, 1, monitor);
   EXPECT_EQ(even.Crossing, 0);
   const TopologyFigures figures = CheckTopology(even.Mesh).Total;
   EXPECT_TRUE(figures.Closed && figures.Manifold() && figures.Outward);
@@ -55,8 +56,8 @@ TEST(EvenMesh, DoesNotDependOnTheThreads)
 {
   Monitor monitor;
   const TriangleMesh torus = MakeTorus(3, 1, 100, 8);
-  const EvenMesh one = MakeEvenMesh(torus, {}, 0.2, 1, monitor);
-  const EvenMesh four = MakeEvenMesh(torus, {}, 0.2, 4, monitor);
+  const EvenMesh one = MakeEvenMesh(torus, {}, {}, 0.2, 1, monitor);
+  const EvenMesh four = MakeEvenMesh(torus, {}, {}, 0.2, 4, monitor);
   EXPECT_EQ(one.Mesh.Points, four.Mesh.Points);
   EXPECT_EQ(one.Mesh.Triangles, four.Mesh.Triangles);
 }
@@ -69,9 +70,40 @@ TEST(EvenMesh, SheetsThatAreNearDoNotCross)
   Move(other, { 1.002, 0, 0 });
   Append(both, other);
   Monitor monitor;
-  const EvenMesh even = MakeEvenMesh(both, {}, 0.2, 1, monitor);
+  const EvenMesh even = MakeEvenMesh(both, {}, {}, 0.2, 1, monitor);
   EXPECT_EQ(even.Crossing, 0);
   EXPECT_EQ(CheckTopology(even.Mesh).Total.Euler, 4);
+}
+
+TEST(EvenMesh, KeepsPlaces)
+{
+  // Much finer than the edges that are asked for.
+  const TriangleMesh torus = MakeTorus(3, 1, 200, 60);
+  Monitor monitor;
+  const auto farthest = [&](const PlacesToKeep& keep)
+  {
+    const EvenMesh even = MakeEvenMesh(torus, {}, keep, 0.8, 1, monitor);
+    EXPECT_EQ(even.Crossing, 0);
+    EXPECT_EQ(CheckTopology(even.Mesh).Total.Euler, 0);
+    const TriangleTree tree(even.Mesh);
+    double most = 0;
+    for (std::size_t p = 0; p < torus.Points.size(); p += 10)
+    {
+      most = std::max(most, tree.DistanceTo(torus.Points[p], 10));
+    }
+    return most;
+  };
+  PlacesToKeep keep;
+  EXPECT_GT(farthest(keep), 0.02);
+  for (std::size_t p = 0; p < torus.Points.size(); p += 10)
+  {
+    keep.Places.push_back(torus.Points[p]);
+  }
+  for (const double within : { 0.02, 0.005, 0.0 })
+  {
+    keep.Within = within;
+    EXPECT_LE(farthest(keep), within);
+  }
 }
 
 TEST(EvenPasses, SplittingKeepsTheShape)
@@ -79,7 +111,7 @@ TEST(EvenPasses, SplittingKeepsTheShape)
   const TriangleMesh cube = MakeCube();
   const SurfacePlaces surface(cube);
   Monitor monitor;
-  EvenPasses passes(cube, {}, surface, 0.25, 1, monitor);
+  EvenPasses passes(cube, {}, surface, {}, 0.25, 1, monitor);
   passes.SplitLong();
   const TriangleMesh made = passes.Mesh.Compact();
   EXPECT_GT(made.Triangles.size(), 200u);
@@ -106,7 +138,7 @@ TEST(EvenMesh, KeepsTheCreaseBetweenTwoParts)
     parts.push_back(isOnTop(cube, t) ? 1 : 0);
   }
   Monitor monitor;
-  const EvenMesh even = MakeEvenMesh(cube, parts, 0.2, 1, monitor);
+  const EvenMesh even = MakeEvenMesh(cube, parts, {}, 0.2, 1, monitor);
   ASSERT_EQ(even.Parts.size(), even.Mesh.Triangles.size());
   double area = 0;
   for (std::size_t t = 0; t < even.Parts.size(); ++t)
@@ -161,7 +193,7 @@ TEST(EvenPasses, GoThroughNoSmallPiece)
     }
     Monitor monitor;
     const SurfacePlaces surface(sheet);
-    EvenPasses passes(sheet, {}, surface, 1, 1, monitor);
+    EvenPasses passes(sheet, {}, surface, {}, 1, 1, monitor);
     std::fill(passes.Thin.begin(), passes.Thin.end(), 1);
     passes.Flip();
     return passes.Mesh.Find(from, to).first >= 0;

@@ -4,6 +4,7 @@
 #include "Core/Mesh/MeshInvariants.h"
 #include "Core/Polyhedral/PolyhedralShapes.h"
 #include "Fair/TracedRaster.h"
+#include "FairPromises.h"
 #include "Mesh/MassProperties.h"
 #include "Mesh/MeshTopology.h"
 #include "Mesh/TriangleComponents.h"
@@ -18,16 +19,6 @@ using namespace recon::testing;
 
 namespace
 {
-FairOptions Usual()
-{
-  FairOptions options;
-  options.Polyhedral.Mapping = PolyhedralOptions::Overlap;
-  options.Polyhedral.EndCaps = PolyhedralOptions::Tapered;
-  options.Polyhedral.IsolatedContours = PolyhedralOptions::Extrude;
-  options.Polyhedral.PinchGap = 1e-3;
-  return options;
-}
-
 FairSurface Build(const ContourSet& contours, const FairOptions& options)
 {
   Monitor monitor;
@@ -56,33 +47,21 @@ ContourSet Ball(double radius, int slices)
   }
   return BuildStack(levels, 2 * radius / slices);
 }
-
-void ExpectSoundAndAsPolyhedral(const ContourSet& contours, const FairOptions& options)
-{
-  Monitor monitor;
-  const FairSurface fair = Build(contours, options);
-  ExpectSoundSurface(fair.Mesh);
-  const PolyhedralSurface polyhedral =
-    BuildPolyhedralSurface(contours, options.Polyhedral, monitor);
-  EXPECT_EQ(CheckTopology(fair.Mesh).Total.Euler, CheckTopology(polyhedral.Mesh).Total.Euler);
-  EXPECT_EQ(fair.Beyond, 0u);
-  EXPECT_LE(fair.Farthest, fair.Tolerance);
-}
 }
 
 TEST(FairSurface, KeepsTopologyAndTolerance)
 {
-  ExpectSoundAndAsPolyhedral(Ball(10, 12), Usual());
+  ExpectPromises(Ball(10, 12), UsualFairOptions());
   // One that becomes two, and a ring.
-  ExpectSoundAndAsPolyhedral(
+  ExpectPromises(
     BuildStack({ { RegularPolygon(60, 6) }, { RegularPolygon(60, 6) },
       { RegularPolygon(40, 2.5, 0, { -3, 0 }), RegularPolygon(40, 2.5, 0, { 3, 0 }) },
       { RegularPolygon(40, 2.5, 0, { -3, 0 }), RegularPolygon(40, 2.5, 0, { 3, 0 }) } }),
-    Usual());
-  ExpectSoundAndAsPolyhedral(BuildStack({ { RegularPolygon(60, 6), RegularPolygon(40, 3) },
-                               { RegularPolygon(60, 6), RegularPolygon(40, 3) },
-                               { RegularPolygon(60, 5.5), RegularPolygon(40, 3.5) } }),
-    Usual());
+    UsualFairOptions());
+  ExpectPromises(BuildStack({ { RegularPolygon(60, 6), RegularPolygon(40, 3) },
+                   { RegularPolygon(60, 6), RegularPolygon(40, 3) },
+                   { RegularPolygon(60, 5.5), RegularPolygon(40, 3.5) } }),
+    UsualFairOptions());
 }
 
 TEST(FairSurface, IsNearerToABallThanThePolyhedralOne)
@@ -105,9 +84,9 @@ TEST(FairSurface, IsNearerToABallThanThePolyhedralOne)
     }
     return miss / all;
   };
-  const double fair = meanMiss(Build(ball, Usual()).Mesh);
+  const double fair = meanMiss(Build(ball, UsualFairOptions()).Mesh);
   const double polyhedral =
-    meanMiss(BuildPolyhedralSurface(ball, Usual().Polyhedral, monitor).Mesh);
+    meanMiss(BuildPolyhedralSurface(ball, UsualFairOptions().Polyhedral, monitor).Mesh);
   EXPECT_LT(fair, 0.5 * polyhedral);
 }
 
@@ -115,12 +94,13 @@ TEST(FairSurface, EvensOutPixels)
 {
   const ContourSet discs = BuildStack(
     { { PixelDisc(9, 1) }, { PixelDisc(10, 1) }, { PixelDisc(10, 1) }, { PixelDisc(9, 1) } });
-  const FairSurface fair = Build(discs, Usual());
+  const FairSurface fair = Build(discs, UsualFairOptions());
   ExpectSoundSurface(fair.Mesh);
   EXPECT_NEAR(fair.Tolerance, 0.5, 1e-9);
   EXPECT_LE(fair.Farthest, fair.Tolerance);
   Monitor monitor;
-  const PolyhedralSurface stairs = BuildPolyhedralSurface(discs, Usual().Polyhedral, monitor);
+  const PolyhedralSurface stairs =
+    BuildPolyhedralSurface(discs, UsualFairOptions().Polyhedral, monitor);
   EXPECT_LT(AreaOf(fair.Mesh), AreaOf(stairs.Mesh));
 }
 
@@ -133,7 +113,7 @@ TEST(FairSurface, EvensOutATracedRaster)
     levels.push_back({ Traced(20.3, 2, 0.3, slice) });
   }
   const ContourSet tube = BuildStack(levels, 3);
-  const FairSurface fair = Build(tube, Usual());
+  const FairSurface fair = Build(tube, UsualFairOptions());
   ExpectSoundSurface(fair.Mesh);
   const TracedRaster raster = FindTracedRaster(tube);
   EXPECT_NEAR(raster.Pitch, 2, 0.05);
@@ -142,7 +122,8 @@ TEST(FairSurface, EvensOutATracedRaster)
   EXPECT_GE(fair.EdgeLength, 0.8 * raster.Pitch);
   EXPECT_LE(fair.Farthest, fair.Tolerance);
   Monitor monitor;
-  const PolyhedralSurface rough = BuildPolyhedralSurface(tube, Usual().Polyhedral, monitor);
+  const PolyhedralSurface rough =
+    BuildPolyhedralSurface(tube, UsualFairOptions().Polyhedral, monitor);
   const auto roughness = [](const TriangleMesh& mesh)
   {
     double sum = 0;
@@ -166,7 +147,25 @@ TEST(FairSurface, KeepsAThinHoleWithinTheTolerance)
   {
     levels.push_back({ Traced(20.3, 2, 0.3, slice), RegularPolygon(5, 0.8, 0, { 3, 2 }) });
   }
-  ExpectSoundAndAsPolyhedral(BuildStack(levels, 3), Usual());
+  ExpectPromises(BuildStack(levels, 3), UsualFairOptions());
+}
+
+TEST(FairSurface, KeepsAnyTolerance)
+{
+  // Also where the contours have corners, and edges that are asked for are longer than what was drawn.
+  const ContourSet needles =
+    BuildStack({ { Needles(7, 4, 1.5) }, { Needles(7, 3.5, 1.6) }, { Needles(7, 4, 1.5) } }, 1.5);
+  for (const double tolerance : { 0.1, 0.01, 1e-6, 0.0 })
+  {
+    for (const double edges : { 0.0, 2.0 })
+    {
+      FairOptions options = UsualFairOptions();
+      options.Tolerance = tolerance;
+      options.EdgeLength = edges;
+      ExpectPromises(needles, options);
+      ExpectPromises(Ball(10, 6), options);
+    }
+  }
 }
 
 TEST(FairSurface, APieceOfASingleSliceKeepsItsVolume)
@@ -175,7 +174,7 @@ TEST(FairSurface, APieceOfASingleSliceKeepsItsVolume)
   RingStack levels(6, { RegularPolygon(60, 5) });
   levels[3].push_back(RegularPolygon(30, 2, 0, { 12, 0 }));
   const ContourSet contours = BuildStack(levels);
-  ExpectSoundAndAsPolyhedral(contours, Usual());
+  ExpectPromises(contours, UsualFairOptions());
   const auto volumeBeside = [](const TriangleMesh& mesh)
   {
     const TriangleComponents pieces = FindTriangleComponents(mesh);
@@ -185,13 +184,13 @@ TEST(FairSurface, APieceOfASingleSliceKeepsItsVolume)
   };
   Monitor monitor;
   const double wanted =
-    volumeBeside(BuildPolyhedralSurface(contours, Usual().Polyhedral, monitor).Mesh);
-  EXPECT_NEAR(volumeBeside(Build(contours, Usual()).Mesh), wanted, 0.1 * wanted);
+    volumeBeside(BuildPolyhedralSurface(contours, UsualFairOptions().Polyhedral, monitor).Mesh);
+  EXPECT_NEAR(volumeBeside(Build(contours, UsualFairOptions()).Mesh), wanted, 0.1 * wanted);
 }
 
 TEST(FairSurface, PropertiesAreTaken)
 {
-  FairOptions options = Usual();
+  FairOptions options = UsualFairOptions();
   options.EdgeLength = 1.5;
   options.Tolerance = 0.4;
   options.Tension = 1;
@@ -205,14 +204,14 @@ TEST(FairSurface, PropertiesAreTaken)
 
 TEST(FairSurface, SaysWhatItChose)
 {
-  const FairSurface fair = Build(Ball(10, 12), Usual());
+  const FairSurface fair = Build(Ball(10, 12), UsualFairOptions());
   ASSERT_FALSE(fair.Report.empty());
   EXPECT_NE(fair.Report.back().find("a tolerance of"), std::string::npos) << fair.Report.back();
 }
 
 TEST(FairSurface, DoesNotDependOnTheThreads)
 {
-  FairOptions options = Usual();
+  FairOptions options = UsualFairOptions();
   options.Threads = 1;
   const FairSurface one = Build(Ball(10, 12), options);
   options.Threads = 3;
@@ -228,19 +227,19 @@ TEST(FairSurface, CanBeStopped)
     bool AbortRequested() override { return ++this->Asked > 30; }
     int Asked = 0;
   } impatient;
-  EXPECT_THROW(BuildFairSurface(Ball(10, 12), Usual(), impatient), Aborted);
+  EXPECT_THROW(BuildFairSurface(Ball(10, 12), UsualFairOptions(), impatient), Aborted);
 }
 
 TEST(FairSurface, OneSliceIsAnError)
 {
-  EXPECT_THROW(Build(BuildStack({ { RegularPolygon(9, 1) } }), Usual()), Error);
+  EXPECT_THROW(Build(BuildStack({ { RegularPolygon(9, 1) } }), UsualFairOptions()), Error);
 }
 
 TEST(FairSurface, AnEdgeLengthThatAsksForTooManyTrianglesIsAnError)
 {
   for (const double length : { 1e-2, 1e-9, 1e-300 })
   {
-    FairOptions options = Usual();
+    FairOptions options = UsualFairOptions();
     options.EdgeLength = length;
     try
     {
@@ -257,7 +256,7 @@ TEST(FairSurface, AnEdgeLengthThatAsksForTooManyTrianglesIsAnError)
 TEST(FairSurface, AFlatEndKeepsItsRimAndDoesNotFlare)
 {
   // A tube: as wide between its slices as on them, and its ends are discs.
-  FairOptions options = Usual();
+  FairOptions options = UsualFairOptions();
   options.Polyhedral.EndCaps = PolyhedralOptions::Flat;
   const ContourSet tube = BuildStack({ { RegularPolygon(60, 2) }, { RegularPolygon(60, 2) } }, 2);
   const FairSurface fair = Build(tube, options);

@@ -4,6 +4,7 @@
 #include "Core/Mesh/MeshShapes.h"
 #include "Mesh/MeshTopology.h"
 #include "Mesh/SelfIntersections.h"
+#include "Mesh/TriangleTree.h"
 
 #include <gtest/gtest.h>
 
@@ -19,7 +20,7 @@ TEST(UncrossedMove, GoesAllTheWayWhereNothingCrosses)
     p = 1.5 * p;
   }
   Monitor monitor;
-  const UncrossedMove moved = MoveUncrossed(sphere, places, 0, 1, monitor);
+  const UncrossedMove moved = MoveUncrossed(sphere, places, 0, {}, 1, monitor);
   EXPECT_EQ(moved.Mesh.Points, places);
   EXPECT_EQ(moved.HeldBack, 0u);
 }
@@ -38,7 +39,7 @@ TEST(UncrossedMove, HoldsBackWhatWouldCross)
     places[p] = middle + 1.3 * (places[p] - middle);
   }
   Monitor monitor;
-  const UncrossedMove moved = MoveUncrossed(balls, places, 0, 1, monitor);
+  const UncrossedMove moved = MoveUncrossed(balls, places, 0, {}, 1, monitor);
   EXPECT_FALSE(FindSelfIntersections(moved.Mesh, monitor).Any());
   EXPECT_GT(moved.HeldBack, 0u);
   EXPECT_LT(moved.HeldBack, places.size());
@@ -50,7 +51,7 @@ TEST(UncrossedMove, LetsNoAngleBecomeSmall)
   std::vector<Point3> places = sphere.Points;
   places[100] = places[101]; // a collapsed edge
   Monitor monitor;
-  const UncrossedMove moved = MoveUncrossed(sphere, places, 0.05, 1, monitor);
+  const UncrossedMove moved = MoveUncrossed(sphere, places, 0.05, {}, 1, monitor);
   EXPECT_GT(Norm(moved.Mesh.Points[100] - moved.Mesh.Points[101]), 0.01);
 }
 
@@ -68,7 +69,7 @@ TEST(UncrossedMove, TurnsNoComponentInsideOut)
     places[p] = p < first ? 1.1 * places[p] : Point3{ 3, 0, 0 } - (places[p] - Point3{ 3, 0, 0 });
   }
   Monitor monitor;
-  const UncrossedMove moved = MoveUncrossed(balls, places, 0, 1, monitor);
+  const UncrossedMove moved = MoveUncrossed(balls, places, 0, {}, 1, monitor);
   EXPECT_TRUE(CheckTopology(moved.Mesh).Total.Outward);
   EXPECT_EQ(moved.Mesh.Points.front(), places.front());
   EXPECT_EQ(moved.HeldBack, places.size() - first);
@@ -91,7 +92,29 @@ TEST(UncrossedMove, PutsNoComponentIntoAnother)
     places[p][0] -= 1.3;
   }
   Monitor monitor;
-  const UncrossedMove moved = MoveUncrossed(balls, places, 0, 1, monitor);
+  const UncrossedMove moved = MoveUncrossed(balls, places, 0, {}, 1, monitor);
   EXPECT_TRUE(CheckTopology(moved.Mesh).Total.Outward);
+  EXPECT_FALSE(FindSelfIntersections(moved.Mesh, monitor).Any());
+}
+
+TEST(UncrossedMove, GoesOnToPassPlaces)
+{
+  // A ball that shrinks away from places beside it, of which one is a point of it; elsewhere it goes all the way.
+  const TriangleMesh sphere = MakeSphere(24, 12);
+  std::vector<Point3> places = sphere.Points;
+  for (Point3& p : places)
+  {
+    p = 0.8 * p;
+  }
+  const Point3 own = sphere.Points[100];
+  const Point3 beside = 1.02 * sphere.Points[200];
+  Monitor monitor;
+  const UncrossedMove moved =
+    MoveUncrossed(sphere, places, 0, { { own, beside }, 0.05 }, 1, monitor);
+  EXPECT_EQ(moved.Mesh.Points[100], own);
+  const TriangleTree tree(moved.Mesh);
+  EXPECT_LE(tree.DistanceTo(beside, 1), 0.05);
+  EXPECT_GT(moved.HeldBack, 1u);
+  EXPECT_LT(moved.HeldBack, places.size() / 4);
   EXPECT_FALSE(FindSelfIntersections(moved.Mesh, monitor).Any());
 }
