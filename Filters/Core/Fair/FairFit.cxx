@@ -5,12 +5,14 @@
 #include "Base/Parallel.h"
 #include "Base/SubMonitor.h"
 #include "Fair/EvenPasses.h"
+#include "Fair/LocalTension.h"
 #include "Fair/UncrossedMove.h"
 #include "Mesh/TriangleTree.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace recon
 {
@@ -129,23 +131,30 @@ std::vector<Pull> PullsOf(const SurfacePlaces& surface, const std::vector<Contou
   return pulls;
 }
 
-std::vector<Point3> SolveWithin(const TriangleMesh& mesh, std::vector<Pull>& pulls, double tension,
+FairSolution SolveWithin(const TriangleMesh& mesh, std::vector<Pull>& pulls, double tension,
   const FairFitOptions& options, Monitor& monitor)
 {
   AbortMonitor silent(monitor);
+  std::vector<double> tensions(mesh.Points.size(), tension < 0 ? FirstTension : tension);
   TriangleMesh moved = mesh;
   FairSystem system(mesh, options.Kept, options.Scale, options.Threads, silent);
   for (int solve = 0; solve < MostSolves; ++solve)
   {
     monitor.Update(static_cast<double>(solve) / MostSolves, "fairing");
-    moved.Points = system.Solve(moved.Points, pulls, tension);
+    if (solve > 0 && tension < 0)
+    {
+      tensions = TensionByBend(mesh, system.BendOf(mesh.Points), system.BendOf(moved.Points),
+        options.Scale / options.EdgeLength);
+    }
+    moved.Points = system.Solve(moved.Points, pulls, tensions);
     const std::size_t missed = PullAgain(SurfacePlaces(moved), pulls, options, silent);
     if (missed == 0 && solve + 1 >= LeastSolves)
     {
       break;
     }
   }
-  return std::move(moved.Points);
+  const double sum = std::accumulate(tensions.begin(), tensions.end(), 0.0);
+  return { std::move(moved.Points), sum / static_cast<double>(tensions.size()) };
 }
 
 TriangleMesh PullWithin(const TriangleMesh& mesh, const std::vector<ContourSample>& samples,

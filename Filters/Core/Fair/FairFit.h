@@ -27,6 +27,12 @@ struct FairFitOptions
   int Threads = 0;
 };
 
+struct FairSolution
+{
+  std::vector<Point3> Points; ///< places of the mesh's points
+  double Tension = 0;         ///< mean of the points
+};
+
 /// How far the vertices among samples are from a mesh.
 struct SampleMisfit
 {
@@ -48,9 +54,10 @@ std::vector<Pull> PullsOf(const SurfacePlaces& surface, const std::vector<Contou
  * surface that is looked for than terraces are; with pulls at the places that are nearest by then, so
  * that the surface may slide along itself; and with more weight where it is farther than the tolerance.
  *
- * @returns places of the mesh's points @throws Error, Aborted
+ * @param tension of all points; negative: of each its own, as TensionByBend says of the first solution
+ * @throws Error, Aborted
  */
-std::vector<Point3> SolveWithin(const TriangleMesh& mesh, std::vector<Pull>& pulls, double tension,
+FairSolution SolveWithin(const TriangleMesh& mesh, std::vector<Pull>& pulls, double tension,
   const FairFitOptions& options, Monitor& monitor);
 
 /**

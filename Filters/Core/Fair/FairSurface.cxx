@@ -34,7 +34,6 @@ constexpr double FewTriangles = 25000;
 constexpr double MostTriangles = 150000;
 /// More are refused: twenty times what automatic lengths come to, and the end of what an edge length can ask for.
 constexpr double MostTrianglesAtAll = 3e6;
-constexpr double AutomaticTension = 0.1;
 /// Of the slices' distance, how far from the rim of a flat end the polyhedral surface's bend is kept: all
 /// of it up to the half of this, then less.
 constexpr double EndReach = 1.5;
@@ -176,7 +175,6 @@ private:
     this->Result.Tolerance = this->Options.Tolerance >= 0 ? this->Options.Tolerance
       : this->Step > 0                                    ? ofStaircase
                                                           : std::max(ofDrawn, ofRaster);
-    this->Result.Tension = this->Options.Tension >= 0 ? this->Options.Tension : AutomaticTension;
     this->Fit.Tolerance = this->Result.Tolerance;
     this->Fit.EdgeLength = this->Result.EdgeLength;
     this->Fit.Weight = isUneven && this->Result.Tolerance > 0 ? StaircaseWeight : DrawnWeight;
@@ -301,10 +299,11 @@ private:
     const SurfacePlaces places(this->Even.Mesh);
     std::vector<Pull> pulls = PullsOf(places, this->Samples, this->Fit, this->Silent);
     this->KeepFlatPieces(pulls);
-    const std::vector<Point3> moved =
-      SolveWithin(this->Even.Mesh, pulls, this->Result.Tension, this->Fit, part);
+    const FairSolution solution =
+      SolveWithin(this->Even.Mesh, pulls, this->Options.Tension, this->Fit, part);
+    this->Result.Tension = solution.Tension;
     UncrossedMove made =
-      MoveUncrossed(this->Even.Mesh, moved, 0, {}, this->Options.Threads, this->Silent);
+      MoveUncrossed(this->Even.Mesh, solution.Points, 0, {}, this->Options.Threads, this->Silent);
     this->Result.HeldBack = made.HeldBack;
     this->Result.Mesh = std::move(made.Mesh);
   }
@@ -345,16 +344,17 @@ private:
   {
     const FairSurface& made = this->Result;
     std::string chosen = "Edges of " + Text(made.EdgeLength) + ", a tension of " +
-      Text(made.Tension) + ", a tolerance of " + Text(made.Tolerance) +
+      Text(made.Tension) + (this->Options.Tension < 0 ? " on average" : "") + ", a tolerance of " +
+      Text(made.Tolerance) +
       (this->Step > 0 ? " (contours follow pixels in steps of " + Text(this->Step) + ")" : "") +
       "; the contour vertex farthest from the surface is " + Text(made.Farthest) + " away.";
     this->Result.Report.push_back(chosen);
     this->TellOf(made.Beyond, "contour vertex",
-      " is farther from the surface than the tolerance; a smaller Edge Length brings it nearer.");
+      " is farther from the surface than the tolerance, by rounding.");
     this->TellOf(made.Thin, "triangle",
       " has an angle below 5 degrees, where sheets touch or contours ask for it.");
-    this->TellOf(
-      made.HeldBack, "point", " of the surface was held back, so that it does not cross itself.");
+    this->TellOf(made.HeldBack, "point",
+      " of the surface was held back, so that it does not cross itself or leave a contour.");
   }
 
   void TellOf(std::size_t count, const std::string& noun, const std::string& rest)

@@ -30,8 +30,8 @@ struct FairOptions
   double Tolerance = -1;
   /// Of the triangles, in the units of the input; 0: automatic, see AutomaticEdgeLength.
   double EdgeLength = 0;
-  /// 0 as smooth as may be ... 1 as the polyhedral surface; negative: automatic, a tenth, see
-  /// architecture.md.
+  /// 0 as smooth as may be ... 1 as the polyhedral surface; negative: automatic, by place, see
+  /// TensionByBend.
   double Tension = -1;
   int Threads = 0; ///< 0 = as many as the machine has; the result does not depend on it
 };
@@ -41,11 +41,12 @@ struct FairSurface
   TriangleMesh Mesh;
   double Tolerance = 0; ///< what was chosen
   double EdgeLength = 0;
-  double Tension = 0;
-  double Farthest = 0;       ///< distance of a contour vertex from the surface
-  std::size_t Beyond = 0;    ///< contour vertices farther away than Tolerance
-  std::size_t Thin = 0;      ///< triangles with an angle below FairLeastAngle
-  std::size_t HeldBack = 0;  ///< points that stay nearer to the polyhedral surface, not to cross
+  double Tension = 0;     ///< mean of the points
+  double Farthest = 0;    ///< distance of a contour vertex from the surface
+  std::size_t Beyond = 0; ///< contour vertices farther away than Tolerance: none, but for rounding
+  std::size_t Thin = 0;   ///< triangles with an angle below FairLeastAngle
+  /// Points that stay nearer to the polyhedral surface, not to cross or to leave a contour.
+  std::size_t HeldBack = 0;
   double EndCapVolume = 0;   ///< as of PolyhedralSurface
   double IsolatedVolume = 0; ///< as of PolyhedralSurface
   std::size_t LeftOut = 0;   ///< contours of which no point is one of the polyhedral surface
@@ -58,7 +59,8 @@ struct FairSurface
  * vertex pulls at it (a thin plate under tension), and held back where it would cross itself.
  *
  * Guaranteed: the topology of the polyhedral surface, closed, manifold, outward, no triangles cross
- * if none does there. Contour vertices beyond Tolerance, and triangles with small angles, are
+ * if none does there; and every contour vertex that the polyhedral surface passes is within Tolerance: the
+ * mesh that is moved is made so, and what would leave one is held back. Triangles with small angles are
  * counted, and in Report.
  *
  * @throws Error where the contours span fewer than two levels; Aborted.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Fair/FairSystem.h"
 
+#include "Base/Median.h"
 #include "Base/Parallel.h"
 #include "Fair/DissectionOrder.h"
 #include "Fair/FrontalCholesky.h"
@@ -19,10 +20,11 @@ using Matrix = Eigen::SparseMatrix<double>;
 /// What tension 1/2 weighs, membrane against thin plate.
 constexpr double TensionScale = 10;
 /// An edge's cotangents, and a point's area, count at least so much (of a regular mesh's: cotangents
-/// .58, area 1): slivers would make the system singular.
+/// .58, area 1), and cotangents at most so much (5 degrees): slivers would make the system singular.
 constexpr double LeastCotangent = 0.02;
+constexpr double MostCotangent = 6;
 constexpr double LeastArea = 0.1;
-/// So much of the diagonal keeps points without any pull around from drifting.
+/// So much of the diagonal's median keeps points without any pull around from drifting.
 constexpr double Anchorage = 1e-10;
 constexpr std::size_t ColumnsABlock = 2048;
 
@@ -66,6 +68,7 @@ struct FairSystem::Implementation
   DissectionOrder Order;
   const std::vector<int>& Rank; ///< of a point among the unknowns
   Matrix Membrane;              ///< positive semidefinite
+  Matrix Tense;                 ///< the same, by the points' tension
   std::vector<std::array<int, 6>>
     Places; ///< of a triangle's sides among the membrane's values, both ways
   Eigen::VectorXd InverseAreas;
@@ -182,7 +185,7 @@ struct FairSystem::Implementation
       {
         const double cotangent =
           -Dot(sides[(k + 1) % 3], sides[(k + 2) % 3]) / std::max(twice, 1e-300);
-        const double weight = std::max(LeastCotangent, 0.5 * cotangent);
+        const double weight = std::clamp(0.5 * cotangent, LeastCotangent, MostCotangent);
         values[this->Places[i][2 * k]] -= weight;
         values[this->Places[i][2 * k + 1]] -= weight;
         areas[this->Rank[t[k]]] += twice / 6;
@@ -204,8 +207,38 @@ struct FairSystem::Implementation
     this->InverseAreas = areas.cwiseMax(least).cwiseInverse().cwiseProduct(this->Creased);
   }
 
+  /// Each edge of the membrane by the mean of its ends' tension, and areas by what is left for the plate.
+  void MakeTense(const std::vector<double>& tension)
+  {
+    Eigen::VectorXd tensions(this->Count());
+    for (std::size_t p = 0; p < tension.size(); ++p)
+    {
+      tensions[this->Rank[p]] = tension[p];
+    }
+    const double stiffness = TensionScale / (this->Scale * this->Scale);
+    this->Tense = this->Membrane;
+    for (int column = 0; column < this->Count(); ++column)
+    {
+      double sum = 0;
+      double* diagonal = nullptr;
+      for (Matrix::InnerIterator entry(this->Tense, column); entry; ++entry)
+      {
+        if (entry.row() == column)
+        {
+          diagonal = &entry.valueRef();
+          continue;
+        }
+        entry.valueRef() *= 0.5 * stiffness * (tensions[entry.row()] + tensions[column]);
+        sum += entry.value();
+      }
+      *diagonal = -sum;
+    }
+    this->InverseAreas =
+      this->InverseAreas.cwiseProduct(Eigen::VectorXd::Ones(this->Count()) - tensions);
+  }
+
   /// The sum of thin plate and membrane, without pulls.
-  void FillSystem(double plate, double membrane)
+  void FillSystem()
   {
     ParallelForBlocks(this->Mesh.Points.size(), ColumnsABlock, this->Threads,
       [&](std::size_t from, std::size_t to)
@@ -214,13 +247,13 @@ struct FairSystem::Implementation
         std::vector<int> placeOf(this->Mesh.Points.size());
         for (std::size_t column = from; column < to; ++column)
         {
-          this->FillColumn(static_cast<int>(column), plate, membrane, placeOf);
+          this->FillColumn(static_cast<int>(column), placeOf);
         }
       },
       this->Observer, { 0, 0, "fairing" });
   }
 
-  void FillColumn(int column, double plate, double membrane, std::vector<int>& placeOf)
+  void FillColumn(int column, std::vector<int>& placeOf)
   {
     double* values = this->System.valuePtr();
     const int begin = this->System.outerIndexPtr()[column];
@@ -230,14 +263,17 @@ struct FairSystem::Implementation
       placeOf[this->System.innerIndexPtr()[place]] = place;
       values[place] = 0;
     }
+    for (Matrix::InnerIterator tense(this->Tense, column); tense; ++tense)
+    {
+      if (tense.row() >= column)
+      {
+        values[placeOf[tense.row()]] += tense.value();
+      }
+    }
     for (Matrix::InnerIterator beside(this->Membrane, column); beside; ++beside)
     {
       const int row = static_cast<int>(beside.row());
-      if (row >= column)
-      {
-        values[placeOf[row]] += membrane * beside.value();
-      }
-      const double share = plate * beside.value() * this->InverseAreas[row];
+      const double share = beside.value() * this->InverseAreas[row];
       for (Matrix::InnerIterator next(this->Membrane, row); next; ++next)
       {
         if (next.row() >= column)
@@ -277,12 +313,13 @@ struct FairSystem::Implementation
   /// Of each column the first entry is that of the diagonal.
   void Anchor(Eigen::MatrixXd& right)
   {
-    double sum = 0;
+    std::vector<double> diagonal(this->Count());
     for (Eigen::Index v = 0; v < this->Count(); ++v)
     {
-      sum += this->System.valuePtr()[this->System.outerIndexPtr()[v]];
+      diagonal[v] = this->System.valuePtr()[this->System.outerIndexPtr()[v]];
     }
-    const double anchorage = Anchorage * sum / static_cast<double>(this->Count());
+    // Not the mean: a single sliver, or a strong pull, would hold all points where they are.
+    const double anchorage = Anchorage * Median(diagonal);
     for (Eigen::Index v = 0; v < this->Count(); ++v)
     {
       this->System.valuePtr()[this->System.outerIndexPtr()[v]] += anchorage;
@@ -290,16 +327,15 @@ struct FairSystem::Implementation
     right += anchorage * this->Rest;
   }
 
-  std::vector<Point3> Solve(
-    const std::vector<Point3>& shape, const std::vector<Pull>& pulls, double tension)
+  std::vector<Point3> Solve(const std::vector<Point3>& shape, const std::vector<Pull>& pulls,
+    const std::vector<double>& tension)
   {
     this->Measure(shape);
-    const double membrane = TensionScale * tension / (this->Scale * this->Scale);
-    const Eigen::MatrixXd bent = this->Membrane * this->Rest;
-    Eigen::MatrixXd right = membrane * bent;
+    this->MakeTense(tension);
+    Eigen::MatrixXd right = this->Tense * this->Rest;
     const Eigen::VectorXd kept = this->Kept.cwiseProduct(this->InverseAreas);
-    right += (1 - tension) * (this->Membrane * (kept.asDiagonal() * bent));
-    this->FillSystem(1 - tension, membrane);
+    right += this->Membrane * (kept.asDiagonal() * (this->Membrane * this->Rest));
+    this->FillSystem();
     this->AddPulls(pulls, right);
     this->Anchor(right);
     if (!this->Factor->Factorise(this->System, this->Threads, this->Observer))
@@ -316,6 +352,23 @@ struct FairSystem::Implementation
     }
     return places;
   }
+
+  std::vector<double> BendOf(const std::vector<Point3>& shape)
+  {
+    this->Measure(shape);
+    Eigen::MatrixXd at(this->Count(), 3);
+    for (std::size_t p = 0; p < shape.size(); ++p)
+    {
+      at.row(this->Rank[p]) << shape[p][0], shape[p][1], shape[p][2];
+    }
+    const Eigen::MatrixXd bent = this->InverseAreas.asDiagonal() * (this->Membrane * at);
+    std::vector<double> bends(shape.size());
+    for (std::size_t p = 0; p < shape.size(); ++p)
+    {
+      bends[p] = this->Scale * bent.row(this->Rank[p]).norm();
+    }
+    return bends;
+  }
 };
 
 FairSystem::FairSystem(const TriangleMesh& mesh, const std::vector<double>& kept, double scale,
@@ -326,9 +379,14 @@ FairSystem::FairSystem(const TriangleMesh& mesh, const std::vector<double>& kept
 
 FairSystem::~FairSystem() = default;
 
-std::vector<Point3> FairSystem::Solve(
-  const std::vector<Point3>& shape, const std::vector<Pull>& pulls, double tension)
+std::vector<Point3> FairSystem::Solve(const std::vector<Point3>& shape,
+  const std::vector<Pull>& pulls, const std::vector<double>& tension)
 {
   return this->Impl->Solve(shape, pulls, tension);
+}
+
+std::vector<double> FairSystem::BendOf(const std::vector<Point3>& shape)
+{
+  return this->Impl->BendOf(shape);
 }
 }

@@ -32,9 +32,10 @@ constexpr double Crease = 2;
  * @brief Thin plate and membrane over a mesh (Botsch and Kobbelt 2004), solved by a sparse Cholesky
  * factorisation.
  *
- * With x the places of the points, x0 those at rest, k how much of it is kept, h the scale and t the tension, it makes
+ * With x the places of the points, x0 those at rest, k how much of it is kept, h the scale and t the tension, which may
+ * differ from point to point, it makes
  *
- *     (1 - t) ∫|Δx - k Δx0|² + t s / h² ∫|∇(x - x0)|² + Σ Weight / h³ |x(From) - To|²
+ *     ∫(1 - t) |Δx - k Δx0|² + s / h² ∫t |∇(x - x0)|² + Σ Weight / h³ |x(From) - To|²
  *
  * least. Δ is the Laplacian (cotangents) of the mesh in a given shape. t = 1 leaves the points at rest
  * as far as pulls allow. The order of the unknowns is found once, for any number of shapes.
@@ -52,9 +53,13 @@ public:
   FairSystem& operator=(const FairSystem&) = delete;
 
   /// The points' new places. @param shape places of the points whose lengths and angles count
-  /// @throws Error where the equations have no answer; Aborted
-  std::vector<Point3> Solve(
-    const std::vector<Point3>& shape, const std::vector<Pull>& pulls, double tension);
+  /// @param tension a point @throws Error where the equations have no answer; Aborted
+  std::vector<Point3> Solve(const std::vector<Point3>& shape, const std::vector<Pull>& pulls,
+    const std::vector<double>& tension);
+
+  /// How much a mesh in this shape bends at its points: the length of Δx, the sum of both curvatures; 0
+  /// where it bends as it likes. In units of one by the scale.
+  std::vector<double> BendOf(const std::vector<Point3>& shape);
 
 private:
   struct Implementation;

@@ -12,6 +12,7 @@ namespace recon
 {
 namespace
 {
+/// What a thread takes at once.
 constexpr std::size_t PlacesABlock = 256;
 }
 

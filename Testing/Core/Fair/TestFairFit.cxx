@@ -51,7 +51,7 @@ TEST(FairFit, MoreWeightBringsTheSurfaceWithinTheTolerance)
   std::vector<Pull> pulls = PullsOf(SurfacePlaces(sphere), samples, options, monitor);
   ASSERT_EQ(pulls.size(), samples.size());
   TriangleMesh moved = sphere;
-  moved.Points = SolveWithin(sphere, pulls, 0.1, options, monitor);
+  moved.Points = SolveWithin(sphere, pulls, 0.1, options, monitor).Points;
   EXPECT_EQ(MeasureMisfit(moved, samples, options.Tolerance, 1, monitor).Beyond, 0u);
 }
 
