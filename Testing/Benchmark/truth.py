@@ -101,7 +101,9 @@ def of_told(row):
     """The Euler number where pieces and handles were asked for, and how far it is met."""
     if not row["told"]:
         return ""
-    words = [str(row["told"]["Euler"])] + ([] if row["told"]["met"] else [f"{row['told']['pieces']} pieces for {row['truepieces']}"])
+    euler, pieces = row["told"]["Euler"], row["told"]["pieces"]
+    missed = f"{pieces} pieces, {pieces - euler // 2} handles for {row['truepieces']}, {row['truepieces'] - row['truth'] // 2}"
+    words = [str(euler)] + ([] if row["told"]["met"] else [missed])
     return ", ".join(words + [f"{count} {what}" for what, count in row["told"]["bad"].items()])
 
 
