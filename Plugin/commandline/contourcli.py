@@ -9,7 +9,7 @@ import math
 import os
 import sys
 
-from paraview import simple
+from contourstart import simple
 
 # What scripts that use this module find here.
 from contourcommon import (CommandError, Notes, NothingToDo, ProgressBar, as_source, detached, load_plugin, new_node, note,  # noqa: F401

@@ -11,7 +11,7 @@ import signal
 import sys
 import time
 
-from paraview import simple
+from contourstart import simple
 
 from contouroptions import UsageError
 

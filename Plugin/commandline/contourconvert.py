@@ -2,7 +2,7 @@
 """Contours as they are, from one format into another."""
 import os
 
-from paraview import simple
+from contourstart import simple
 
 from contourcommon import CommandError, as_source, new_node, run_proxy, uninterrupted
 from contouroutput import output_paths

@@ -2,7 +2,7 @@
 """Contours out of files: those that the plugin reads, and those that ParaView reads by itself."""
 import os
 
-from paraview import simple
+from contourstart import simple
 
 from contourchecks import is_dicom
 from contourcommon import CommandError, Watched, as_source, detached, new_node, note, run_proxy, strings, values

@@ -4,7 +4,7 @@ import os
 import time
 import unicodedata
 
-from paraview import simple
+from contourstart import simple
 
 from contourcommon import CommandError, Watched, as_source, detached, new_node, note, run_proxy, uninterrupted
 from contouroptions import SURFACE_FORMATS

@@ -3,7 +3,7 @@
 import math
 import os
 
-from paraview import simple
+from contourstart import simple
 
 from contourcommon import CommandError
 

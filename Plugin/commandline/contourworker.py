@@ -18,7 +18,7 @@ import contouroptions
 from contourchecks import check_call
 from contoursummary import write_files
 from contourtask import Task, list_all, outcome
-from paraview import simple
+from contourstart import simple
 
 
 def forget_nodes():
