@@ -3,6 +3,7 @@
 
 #include "ContourConversion.h"
 #include "FieldArrays.h"
+#include "Polyhedral/KeptStages.h"
 #include "Polyhedral/LeftOut.h"
 #include "Polyhedral/PolyhedralSurface.h"
 #include "RunCore.h"
@@ -18,6 +19,10 @@
 #include "vtkTable.h"
 
 vtkStandardNewMacro(vtkPolyhedralSurface);
+
+vtkPolyhedralSurface::vtkPolyhedralSurface() : Kept(std::make_unique<recon::KeptStages>()) {}
+
+vtkPolyhedralSurface::~vtkPolyhedralSurface() = default;
 
 namespace
 {
@@ -71,8 +76,8 @@ int vtkPolyhedralSurface::RequestData(
         this->GetOptions(input, contours, vtkTable::GetData(inputVector[1], 0), report);
       options.PinchGap = this->PinchGap;
       vtkContourMonitor building(this, 0.1, 1.0);
-      const recon::PolyhedralSurface surface =
-        recon::BuildPolyhedralSurface(contours, options, building);
+      const recon::PolyhedralSurface surface = recon::BuildPolyhedralSurface(
+        contours, options, building, recon::TetrahedraWanted::ForSurface, this->Kept.get());
       report.insert(report.end(), surface.Report.begin(), surface.Report.end());
       recon::CheckNotEmpty(surface.Mesh, report);
       FillOutput(contours, surface, output);

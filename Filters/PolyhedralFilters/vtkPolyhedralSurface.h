@@ -18,6 +18,9 @@
  *   `LevelOffset` (a value a level), `ContourCount`, `LeftOutCount`, `EndCapVolume`, `IsolatedVolume`, `StageName`
  *   and `StageSeconds` (wall time).
  *
+ * What an execution made is kept for the next one, up to a million tetrahedra (some 100 MB): where some contours
+ * have changed since, only what they reach is made anew, and the output is that of a new filter, to the last bit.
+ *
  * Errors (a sentence through vtkErrorMacro, and no output): no usable contour; contours on one
  * plane only; contours of which no surface comes out. A warning: more than a tenth of the contours
  * is left out.
@@ -29,6 +32,13 @@
 
 #include "PolyhedralFiltersModule.h" // for the export macro
 #include "vtkPolyhedralAlgorithm.h"
+
+#include <memory> // for std::unique_ptr
+
+namespace recon
+{
+class KeptStages;
+}
 
 class POLYHEDRALFILTERS_EXPORT vtkPolyhedralSurface : public vtkPolyhedralAlgorithm
 {
@@ -50,8 +60,8 @@ public:
   ///@}
 
 protected:
-  vtkPolyhedralSurface() = default;
-  ~vtkPolyhedralSurface() override = default;
+  vtkPolyhedralSurface();
+  ~vtkPolyhedralSurface() override;
 
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
@@ -61,6 +71,7 @@ private:
   void operator=(const vtkPolyhedralSurface&) = delete;
 
   double PinchGap = 1e-3;
+  std::unique_ptr<recon::KeptStages> Kept; ///< of the last execution
 };
 
 #endif

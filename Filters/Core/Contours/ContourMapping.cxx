@@ -8,7 +8,6 @@
 #include "Contours/LevelGaps.h"
 #include "Contours/MappingGroups.h"
 #include "Planar/NearestRegion.h"
-#include "Planar/RegionOverlaps.h"
 
 #include <algorithm>
 #include <cmath>
@@ -96,9 +95,14 @@ public:
     this->Context.TooWide = mapping.IsGap[slab] != 0;
   }
 
-  void MapOverlaps()
+  /// known: of the slab, null where they are to be found.
+  void MapOverlaps(const std::vector<RegionOverlap>* known)
   {
-    this->MeasureOverlaps();
+    this->Overlaps = known
+      ? *known
+      : MeasureRegionOverlaps(
+          this->Contours, this->Contours.Levels[this->Slab], this->Contours.Levels[this->Slab + 1]);
+    this->SortOverlaps();
     // Holes come second, because rule 1 asks whether the walls around them are joined.
     this->DecidePairs(true);
     this->DecidePairs(false);
@@ -133,6 +137,7 @@ public:
 
   std::vector<ContourJoin> Joins;
   std::vector<std::string> Report;
+  std::vector<RegionOverlap> Overlaps;
 
 private:
   using Pair = std::pair<int, int>;
@@ -140,11 +145,9 @@ private:
   const ContourRegion& RegionAt(int r) const { return this->Mapping.Regions[r]; }
 
   /// Pairs that overlap or are overridden, and how much of every hole faces solid.
-  void MeasureOverlaps()
+  void SortOverlaps()
   {
-    const Level& lower = this->Contours.Levels[this->Slab];
-    const Level& upper = this->Contours.Levels[this->Slab + 1];
-    for (const RegionOverlap& overlap : MeasureRegionOverlaps(this->Contours, lower, upper))
+    for (const RegionOverlap& overlap : this->Overlaps)
     {
       const ContourRegion& below = this->RegionAt(overlap.LowerContour);
       const ContourRegion& above = this->RegionAt(overlap.UpperContour);
@@ -415,8 +418,8 @@ void JoinLonelyRegions(
 }
 }
 
-ContourMapping BuildContourMapping(
-  const ContourSet& contours, const ContourMappingOptions& options, Monitor& monitor)
+ContourMapping BuildContourMapping(const ContourSet& contours, const ContourMappingOptions& options,
+  Monitor& monitor, const KnownOverlaps& known)
 {
   Validate(contours, options);
   ContourMapping mapping;
@@ -434,8 +437,9 @@ ContourMapping BuildContourMapping(
     mappers.emplace_back(contours, options, mapping, gaps, overrides, static_cast<int>(slab));
   }
   ParallelFor(static_cast<int>(mappers.size()), options.Threads,
-    [&mappers](int slab) { mappers[slab].MapOverlaps(); }, monitor,
-    { 0.0, 0.9, "choosing what is joined" });
+    [&](int slab)
+    { mappers[slab].MapOverlaps(known.empty() || !known[slab] ? nullptr : &*known[slab]); },
+    monitor, { 0.0, 0.9, "choosing what is joined" });
   JoinLonelyRegions(contours, mapping, mappers);
   for (SlabMapper& mapper : mappers)
   {
@@ -445,6 +449,7 @@ ContourMapping BuildContourMapping(
   {
     std::move(mapper.Joins.begin(), mapper.Joins.end(), std::back_inserter(mapping.Joins));
     std::move(mapper.Report.begin(), mapper.Report.end(), std::back_inserter(mapping.Report));
+    mapping.Overlaps.push_back(std::move(mapper.Overlaps));
   }
   monitor.Update(0.95, "grouping contours");
   mapping.Groups = FilterRedundantGroups(

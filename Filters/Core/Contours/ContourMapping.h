@@ -16,7 +16,9 @@
 #include "Base/Monitor.h"
 #include "Contours/ContourSet.h"
 #include "Contours/ContractDecision.h"
+#include "Planar/RegionOverlaps.h"
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -107,10 +109,14 @@ struct ContourMapping
   std::vector<ContourJoin> Joins;
   /// By slab; every contour is in at most one group of the slab below it, and of that above.
   std::vector<MappingGroup> Groups;
-  std::vector<unsigned char> IsGap; ///< a slab: MaximumGap forbids to bridge it
+  std::vector<unsigned char> IsGap;                 ///< a slab: MaximumGap forbids to bridge it
+  std::vector<std::vector<RegionOverlap>> Overlaps; ///< by slab; what takes longest to find
   /// A sentence for every override that cannot be followed, and why.
   std::vector<std::string> Report;
 };
+
+/// By slab, of those whose levels were mapped before; empty: none were.
+using KnownOverlaps = std::vector<std::optional<std::vector<RegionOverlap>>>;
 
 /**
  * Overlaps, decisions, groups and their filters (thesis 3.2, 3.3).
@@ -126,8 +132,8 @@ struct ContourMapping
  *
  * @throws Error where the set is not Parallel or an option is out of range; Aborted.
  */
-ContourMapping BuildContourMapping(
-  const ContourSet& contours, const ContourMappingOptions& options, Monitor& monitor);
+ContourMapping BuildContourMapping(const ContourSet& contours, const ContourMappingOptions& options,
+  Monitor& monitor, const KnownOverlaps& known = {});
 }
 
 #endif

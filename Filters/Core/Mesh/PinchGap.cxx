@@ -2,6 +2,7 @@
 #include "Mesh/PinchGap.h"
 
 #include "Base/Median.h"
+#include "Base/PointHash.h"
 #include "Mesh/MassProperties.h"
 #include "Mesh/TriangleComponents.h"
 #include "Mesh/TriangleMeasures.h"
@@ -11,7 +12,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
+#include <map>
+#include <utility>
 #include <vector>
 
 namespace recon
@@ -71,25 +73,41 @@ private:
     }
   };
 
+  /// Points that share a place, by its coordinates.
   void FindPlaces()
   {
-    std::vector<int> order(this->Mesh.Points.size());
-    std::iota(order.begin(), order.end(), 0);
     const auto& points = this->Mesh.Points;
-    std::sort(order.begin(), order.end(),
-      [&](int a, int b) { return points[a] != points[b] ? points[a] < points[b] : a < b; });
-    for (std::size_t from = 0, to = 0; from < order.size(); from = to)
+    // An open table of the first points of all places.
+    std::size_t size = 1;
+    while (size < 2 * points.size())
     {
-      for (to = from; to < order.size() && points[order[to]] == points[order[from]];)
+      size *= 2;
+    }
+    std::vector<int> table(size, -1);
+    std::map<int, std::vector<int>> places; // by the first point of each
+    for (int p = 0; p < static_cast<int>(points.size()); ++p)
+    {
+      std::size_t slot = PointHash()(points[p]) & (size - 1);
+      while (table[slot] >= 0 && points[table[slot]] != points[p])
       {
-        ++to;
+        slot = (slot + 1) & (size - 1);
       }
-      if (to - from > 1)
+      if (table[slot] < 0)
       {
-        this->Places.emplace_back(order.begin() + static_cast<std::ptrdiff_t>(from),
-          order.begin() + static_cast<std::ptrdiff_t>(to));
+        table[slot] = p;
+      }
+      else
+      {
+        places[table[slot]].push_back(p);
       }
     }
+    for (auto& [first, others] : places)
+    {
+      others.insert(others.begin(), first);
+      this->Places.push_back(std::move(others));
+    }
+    std::sort(this->Places.begin(), this->Places.end(),
+      [&](const auto& a, const auto& b) { return points[a[0]] < points[b[0]]; });
     this->Result.Places = this->Places.size();
   }
 

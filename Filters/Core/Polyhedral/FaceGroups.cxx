@@ -4,7 +4,9 @@
 #include "Base/DisjointSets.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
+#include <utility>
 
 namespace recon
 {
@@ -79,7 +81,19 @@ private:
   std::vector<int> Above;
 };
 
-/// The group with most votes, of equals the first.
+/// Of three votes, some of them for NoGroup, which is less than all: the group with most, of equals the
+/// first.
+int WinnerOf(std::array<int, 3> votes)
+{
+  std::sort(votes.begin(), votes.end());
+  if (votes[1] == votes[2] || votes[1] == NoGroup)
+  {
+    return votes[2];
+  }
+  return votes[0] == NoGroup ? votes[1] : votes[0];
+}
+
+/// The same of any number of votes.
 int WinnerOf(const std::map<int, int>& votes)
 {
   const auto most = std::max_element(
@@ -96,7 +110,8 @@ std::vector<int> FindPieces(const SolidComplex& solid)
     for (const int neighbour : solid.Cells[c].Neighbours)
     {
       const int n = SlabTetrahedra::Beyond(neighbour);
-      if (n >= 0 && solid.Cells[n].Slab == solid.Cells[c].Slab)
+      // Neighbours name each other.
+      if (n > static_cast<int>(c) && solid.Cells[n].Slab == solid.Cells[c].Slab)
       {
         sets.Join(static_cast<int>(c), n);
       }
@@ -127,18 +142,29 @@ std::vector<int> FindFaceGroups(const ContourSet& contours, const PolyhedralStag
   }
   const GroupVotes votes(contours, stages, solid);
   std::map<int, std::map<int, int>> ofPiece;
+  // Faces beside one another nearly always vote for the same.
+  std::pair<int, int> last{ -1, NoGroup };
+  int* count = nullptr;
   for (std::size_t f = 0; f < groups.size(); ++f)
   {
     const SolidBoundary::Face& face = boundary.Faces[f];
-    std::map<int, int> ofFace;
-    for (const int p : face.Points)
+    const int piece = pieces[face.Cell];
+    std::array<int, 3> ofFace{ { NoGroup, NoGroup, NoGroup } };
+    for (std::size_t k = 0; k < 3; ++k)
     {
-      const int group = votes.GroupAt(boundary.Points[p].Vertex, solid.Cells[face.Cell].Slab);
-      if (group != NoGroup && boundary.Points[p].OtherVertex < 0)
+      const SolidBoundary::Point& point = boundary.Points[face.Points[k]];
+      const int group = votes.GroupAt(point.Vertex, solid.Cells[face.Cell].Slab);
+      if (group == NoGroup || point.OtherVertex >= 0)
       {
-        ++ofFace[group];
-        ++ofPiece[pieces[face.Cell]][group];
+        continue;
       }
+      ofFace[k] = group;
+      if (!count || last != std::make_pair(piece, group))
+      {
+        last = { piece, group };
+        count = &ofPiece[piece][group];
+      }
+      ++*count;
     }
     groups[f] = WinnerOf(ofFace);
   }

@@ -158,7 +158,7 @@ void ReportLevelsWithoutCondition2(
   std::vector<std::string> places;
   for (const LevelState& level : levels)
   {
-    if (!level.Triangulator->HasCondition2())
+    if (!level.Triangulation.IsGabriel)
     {
       places.push_back(Text(level.Offset));
     }

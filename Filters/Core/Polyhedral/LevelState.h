@@ -17,11 +17,12 @@ namespace recon
 {
 struct LevelState
 {
-  double Offset = 0; ///< of its plane along the common normal
-  std::unique_ptr<LevelTriangulator> Triangulator;
-  LevelTriangulation Triangulation; ///< of the triangulator's last Finish()
-  bool Changed = true;              ///< Triangulation is new in this round of slabs
+  double Offset = 0;                               ///< of its plane along the common normal
+  std::unique_ptr<LevelTriangulator> Triangulator; ///< null once all its points are in
+  LevelTriangulation Triangulation;                ///< of the triangulator's last Finish()
+  bool Changed = true;                             ///< Triangulation is new in this round of slabs
   std::unique_ptr<PlanarContourDistance> Distance;
+  std::vector<int> Needles;             ///< contours that were given up, see LevelTriangulator
   std::vector<Point2> InternalSkeleton; ///< empty where partial ends are not rounded off
   Coverage Covered;
   LiftedHeights Lifted;

@@ -67,7 +67,8 @@ ContourMappingOptions MappingOptionsOf(const PolyhedralOptions& options)
 }
 
 ContourMapping MapSlabs(const ContourSet& contours, const PolyhedralOptions& options,
-  std::vector<SlabState>& slabs, std::vector<std::string>& report, Monitor& monitor)
+  std::vector<SlabState>& slabs, std::vector<std::string>& report, Monitor& monitor,
+  const KnownOverlaps& known)
 {
   const bool overlap = options.Mapping == PolyhedralOptions::Overlap;
   const LevelGaps gaps = FindLevelGaps(contours, options.MaximumGap);
@@ -89,7 +90,7 @@ ContourMapping MapSlabs(const ContourSet& contours, const PolyhedralOptions& opt
   {
     return {};
   }
-  ContourMapping mapping = BuildContourMapping(contours, MappingOptionsOf(options), monitor);
+  ContourMapping mapping = BuildContourMapping(contours, MappingOptionsOf(options), monitor, known);
   report.insert(report.end(), mapping.Report.begin(), mapping.Report.end());
   for (const ContourJoin& join : mapping.Joins)
   {

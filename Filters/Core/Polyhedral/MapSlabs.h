@@ -25,7 +25,8 @@ ContourMappingOptions MappingOptionsOf(const PolyhedralOptions& options);
  * The mapping returned is empty where neither Overlap nor an override asks for one.
  */
 ContourMapping MapSlabs(const ContourSet& contours, const PolyhedralOptions& options,
-  std::vector<SlabState>& slabs, std::vector<std::string>& report, Monitor& monitor);
+  std::vector<SlabState>& slabs, std::vector<std::string>& report, Monitor& monitor,
+  const KnownOverlaps& known = {});
 }
 
 #endif

@@ -48,7 +48,8 @@ public:
     : Contours(contours),
       Options(options),
       Wanted(wanted),
-      Runner(options.Threads, monitor, progressEnd)
+      Runner(options.Threads, monitor, progressEnd),
+      Spacing(contours.Spacing())
   {
     this->Levels.resize(contours.Levels.size());
     this->Units.resize(contours.Levels.size());
@@ -78,18 +79,38 @@ public:
           this->ShapesOf.resize(this->Levels.size());
         }
       });
-    this->Runner.Timed("triangulate levels", [&] { this->TriangulateLevels(); });
-    this->Runner.Timed("insert internal points", [&] { this->InsertInternalPoints(); });
-    this->BuildSlabs();
-    this->ReportNeedles();
-    ReportLevelsWithoutCondition2(this->Levels, this->Out.Report);
-    ReportJoinsNotMade(this->Out.Mapping, this->Levels, this->Slabs, this->Out.Report);
-    ReportContoursLeftOut(this->Contours, this->Levels, this->Options, this->Out.Report);
-    this->Out.StageSeconds = this->Runner.GetSeconds();
+    this->BuildLevelsAndSlabs();
+    AddReports(this->Contours, this->Options, this->Out);
+    return std::move(this->Out);
+  }
+
+  PolyhedralStages BuildPart(const JoinsOfPart& joins)
+  {
+    this->Spacing = joins.Spacing;
+    for (std::size_t i = 0; i < this->Slabs.size(); ++i)
+    {
+      this->Slabs[i].Joins = joins.Joins[i];
+    }
+    this->BuildLevelsAndSlabs();
     return std::move(this->Out);
   }
 
 private:
+  void BuildLevelsAndSlabs()
+  {
+    this->Runner.Timed("triangulate levels", [&] { this->TriangulateLevels(); });
+    this->Runner.Timed("insert internal points", [&] { this->InsertInternalPoints(); });
+    this->BuildSlabs();
+    for (LevelState& level : this->Levels)
+    {
+      level.Needles = level.Triangulator->Needles();
+      // These take more memory than all that is handed on.
+      level.Triangulator.reset();
+      level.Distance.reset();
+    }
+    this->Out.StageSeconds = this->Runner.GetSeconds();
+  }
+
   void TriangulateLevels()
   {
     this->Runner.ForAll(this->Levels.size(), MappedAt, 0.3, "triangulating slices",
@@ -98,17 +119,6 @@ private:
         this->Levels[i].Triangulator = std::make_unique<LevelTriangulator>(this->Contours, i);
         this->Units[i] = UnitOfLevel(this->Contours, i);
       });
-  }
-
-  void ReportNeedles()
-  {
-    for (const LevelState& level : this->Levels)
-    {
-      for (int contour : level.Triangulator->Needles())
-      {
-        this->Out.Report.push_back(DescribeNeedle(this->Contours, contour));
-      }
-    }
   }
 
   bool RoundsOffPartialEnds() const
@@ -163,6 +173,7 @@ private:
       const double to = from + 0.5 / Rounds;
       this->Runner.Timed("join Voronoi diagrams", [&] { this->JoinDiagrams(from, middle); });
       this->Runner.Timed("lift internal points", [&] { this->LiftPoints(middle, to); });
+      ++this->Out.Rounds;
       if (round + 1 == Rounds || !this->AddPointsWhereNeeded(round == 0, to))
       {
         return;
@@ -282,7 +293,7 @@ private:
   {
     const int last = static_cast<int>(this->Slabs.size()) - 1;
     const SlabState& slab = this->Slabs[std::clamp(towards > 0 ? level : level - 1, 0, last)];
-    return slab.Joins.IsGap ? this->Contours.Spacing() : slab.Thickness;
+    return slab.Joins.IsGap ? this->Spacing : slab.Thickness;
   }
 
   EndsOfSlabs FindPartialEndsOfSlabs(double progress) const
@@ -379,6 +390,7 @@ private:
   const PolyhedralOptions& Options;
   TetrahedraWanted Wanted;
   StageRunner Runner;
+  double Spacing;                                        ///< of the whole stack
   std::optional<EndShapes> Shapes;                       ///< where ends are extrapolated
   std::vector<std::array<EndShapesOfLevel, 2>> ShapesOf; ///< by level, below and above
   std::vector<double> Units; ///< of the last decimal of each level's contours
@@ -390,6 +402,41 @@ private:
 
 PolyhedralStages BuildPolyhedralStages(const ContourSet& contours, const PolyhedralOptions& options,
   Monitor& monitor, double progressEnd, TetrahedraWanted wanted)
+{
+  RequireParallelLevels(contours);
+  LevelAlignment alignment = FindLevelAlignment(contours, options.AlignLevels, options.ForcedJoins);
+  auto shifted = alignment.IsEmpty() ? std::unique_ptr<ContourSet>()
+                                     : std::make_unique<ContourSet>(Aligned(contours, alignment));
+  PolyhedralStages stages =
+    Builder(shifted ? *shifted : contours, options, monitor, progressEnd, wanted).Build();
+  stages.Report.insert(stages.Report.begin(), alignment.Report.begin(), alignment.Report.end());
+  stages.Alignment = std::move(alignment);
+  stages.Shifted = std::move(shifted);
+  return stages;
+}
+
+PolyhedralStages BuildStagesOfPart(const ContourSet& part, const JoinsOfPart& joins,
+  const PolyhedralOptions& options, Monitor& monitor, double progressEnd, TetrahedraWanted wanted)
+{
+  return Builder(part, options, monitor, progressEnd, wanted).BuildPart(joins);
+}
+
+void AddReports(
+  const ContourSet& contours, const PolyhedralOptions& options, PolyhedralStages& stages)
+{
+  for (const LevelState& level : stages.Levels)
+  {
+    for (int contour : level.Needles)
+    {
+      stages.Report.push_back(DescribeNeedle(contours, contour));
+    }
+  }
+  ReportLevelsWithoutCondition2(stages.Levels, stages.Report);
+  ReportJoinsNotMade(stages.Mapping, stages.Levels, stages.Slabs, stages.Report);
+  ReportContoursLeftOut(contours, stages.Levels, options, stages.Report);
+}
+
+void RequireParallelLevels(const ContourSet& contours)
 {
   if (!contours.Parallel)
   {
@@ -403,14 +450,5 @@ PolyhedralStages BuildPolyhedralStages(const ContourSet& contours, const Polyhed
         ? "The contours lie in one plane only; a solid needs at least two parallel levels."
         : contours.Warning);
   }
-  LevelAlignment alignment = FindLevelAlignment(contours, options.AlignLevels, options.ForcedJoins);
-  auto shifted = alignment.IsEmpty() ? std::unique_ptr<ContourSet>()
-                                     : std::make_unique<ContourSet>(Aligned(contours, alignment));
-  PolyhedralStages stages =
-    Builder(shifted ? *shifted : contours, options, monitor, progressEnd, wanted).Build();
-  stages.Report.insert(stages.Report.begin(), alignment.Report.begin(), alignment.Report.end());
-  stages.Alignment = std::move(alignment);
-  stages.Shifted = std::move(shifted);
-  return stages;
 }
 }

@@ -31,6 +31,7 @@ struct PolyhedralStages
   ContourMapping Mapping;
   std::vector<LevelState> Levels;
   std::vector<SlabState> Slabs; ///< slab i lies between levels i and i + 1
+  int Rounds = 0; ///< in which tetrahedra were made, as points were added for ends and bare parts
   std::vector<std::string> Report;
   std::vector<std::pair<std::string, double>> StageSeconds; ///< wall time by stage
 };
@@ -47,6 +48,28 @@ enum class TetrahedraWanted
 /// Progress runs from 0 to progressEnd.
 PolyhedralStages BuildPolyhedralStages(const ContourSet& contours, const PolyhedralOptions& options,
   Monitor& monitor, double progressEnd = 1, TetrahedraWanted wanted = TetrahedraWanted::All);
+
+/// What is joined in each slab of a stack that a part was taken from, and its Spacing().
+struct JoinsOfPart
+{
+  std::vector<SlabJoins> Joins; ///< by slab of the part
+  double Spacing = 0;
+};
+
+/**
+ * Levels and slabs of some neighbouring levels of a stack, without Mapping and Report. Those near its
+ * first and last level are others than in the whole stack (KeptStages.h); ends must not be
+ * extrapolated.
+ */
+PolyhedralStages BuildStagesOfPart(const ContourSet& part, const JoinsOfPart& joins,
+  const PolyhedralOptions& options, Monitor& monitor, double progressEnd, TetrahedraWanted wanted);
+
+/// Lines on what became of contours, for stages that have all else.
+void AddReports(
+  const ContourSet& contours, const PolyhedralOptions& options, PolyhedralStages& stages);
+
+/// @throws Error where the method cannot begin with such contours.
+void RequireParallelLevels(const ContourSet& contours);
 }
 
 #endif

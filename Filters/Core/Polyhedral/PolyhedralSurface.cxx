@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Polyhedral/PolyhedralSurface.h"
 
+#include "Base/Parallel.h"
 #include "Base/SubMonitor.h"
 #include "Base/Text.h"
 #include "Mesh/CrossingRepair.h"
@@ -10,6 +11,7 @@
 #include "Mesh/SectionCuts.h"
 #include "Mesh/SheetLinks.h"
 #include "Polyhedral/FaceGroups.h"
+#include "Polyhedral/KeptStages.h"
 #include "Polyhedral/PinchedPoints.h"
 #include "Polyhedral/PolyhedralStages.h"
 #include "Polyhedral/SolidBoundary.h"
@@ -49,15 +51,26 @@ public:
   {
   }
 
-  PolyhedralSurface Write()
+  /// solid: of the stages, of which the slabs may be gone.
+  PolyhedralSurface Write(const SolidComplex& solid)
   {
-    this->Observer.Update(StagesShare, "extracting the surface");
-    const SolidComplex solid = BuildSolidComplex(this->Stages.Levels, this->Stages.Slabs);
-    this->Observer.Update(0.92, "extracting the surface");
-    const SolidBoundary boundary = ExtractSolidBoundary(solid);
-    this->Observer.Update(0.97, "extracting the surface");
+    SolidBoundary boundary;
+    std::vector<int> pieces;
+    const auto examine = [&](int part)
+    {
+      if (part == 0)
+      {
+        boundary = ExtractSolidBoundary(solid);
+      }
+      else
+      {
+        pieces = FindPieces(solid);
+      }
+    };
+    ParallelFor(
+      2, this->Options.Threads, examine, this->Observer, { 0.9, 0.97, "extracting the surface" });
     this->CopyPoints(solid, boundary);
-    this->CopyFaces(solid, boundary);
+    this->CopyFaces(solid, boundary, pieces);
     this->MeasureCaps(solid);
     if (AsksForTopology(this->Options) && this->Options.EndCaps != PolyhedralOptions::NoCaps)
     {
@@ -132,9 +145,9 @@ private:
     return true;
   }
 
-  void CopyFaces(const SolidComplex& solid, const SolidBoundary& boundary)
+  void CopyFaces(
+    const SolidComplex& solid, const SolidBoundary& boundary, const std::vector<int>& pieces)
   {
-    const std::vector<int> pieces = FindPieces(solid);
     const std::vector<int> groups =
       FindFaceGroups(this->Contours, this->Stages, solid, boundary, pieces);
     int leftOpen = 0;
@@ -189,6 +202,8 @@ private:
       }
     }
     this->Result.PointKind.resize(this->Result.Mesh.Points.size(), LevelTriangulation::Internal);
+    // Triangles that were not decided with the tetrahedra may cross, wherever their corners are.
+    this->IsPointExact.clear();
   }
 
   /// Where there are still more pieces, or fewer handles, than asked for.
@@ -272,8 +287,18 @@ private:
     return this->Contours.Levels[0].Grid > 0 || !this->Stages.Alignment.IsEmpty();
   }
 
+  bool AreAllExact() const
+  {
+    return this->IsPointExact.size() == this->Result.Mesh.Points.size() &&
+      std::count(this->IsPointExact.begin(), this->IsPointExact.end(), 0) == 0;
+  }
+
   void UndoCrossings()
   {
+    if (this->AreAllExact())
+    {
+      return;
+    }
     CrossingRepairOptions repair;
     repair.IsExact = this->IsPointExact;
     repair.Reach = LargestNudge * MedianEdgeLength(this->Result.Mesh);
@@ -360,31 +385,44 @@ private:
   const PolyhedralOptions& Options;
   const PolyhedralStages& Stages;
   Monitor& Observer;
-  std::vector<char> IsPointExact; ///< see IsExact; points that were computed from others are not
+  std::vector<char>
+    IsPointExact; ///< see IsExact; points that were computed from others are not; empty: none is
   PolyhedralSurface Result;
 };
 
 PolyhedralSurface BuildAsMapped(const ContourSet& contours, const PolyhedralOptions& options,
-  Monitor& monitor, TetrahedraWanted wanted)
+  Monitor& monitor, TetrahedraWanted wanted, KeptStages* kept)
 {
-  const PolyhedralStages stages =
-    BuildPolyhedralStages(contours, options, monitor, StagesShare, wanted);
+  PolyhedralStages own;
+  if (!kept)
+  {
+    own = BuildPolyhedralStages(contours, options, monitor, StagesShare, wanted);
+  }
+  const PolyhedralStages& stages =
+    kept ? kept->Update(contours, options, monitor, StagesShare, wanted) : own;
   const auto start = std::chrono::steady_clock::now();
-  PolyhedralSurface surface = SurfaceWriter(contours, options, stages, monitor).Write();
+  monitor.Update(StagesShare, "extracting the surface");
+  const SolidComplex solid = BuildSolidComplex(stages.Levels, stages.Slabs);
+  own.Slabs = {}; // as much again as the complex
+  PolyhedralSurface surface = SurfaceWriter(contours, options, stages, monitor).Write(solid);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   surface.Report.insert(surface.Report.begin(), stages.Report.begin(), stages.Report.end());
   surface.StageSeconds = stages.StageSeconds;
   surface.StageSeconds.emplace_back("extract surface", seconds.count());
+  if (kept)
+  {
+    kept->ForgetIfLarge();
+  }
   return surface;
 }
 }
 
 PolyhedralSurface BuildPolyhedralSurface(const ContourSet& contours,
-  const PolyhedralOptions& options, Monitor& monitor, TetrahedraWanted wanted)
+  const PolyhedralOptions& options, Monitor& monitor, TetrahedraWanted wanted, KeptStages* kept)
 {
   if (!AsksForTopology(options))
   {
-    return BuildAsMapped(contours, options, monitor, wanted);
+    return BuildAsMapped(contours, options, monitor, wanted, kept);
   }
   const auto start = std::chrono::steady_clock::now();
   SubMonitor searching(monitor, 0, SearchShare);
@@ -393,7 +431,7 @@ PolyhedralSurface BuildPolyhedralSurface(const ContourSet& contours,
   PolyhedralOptions asked = options;
   asked.Contract = met.Decisions;
   SubMonitor building(monitor, SearchShare, 1);
-  PolyhedralSurface surface = BuildAsMapped(contours, asked, building, wanted);
+  PolyhedralSurface surface = BuildAsMapped(contours, asked, building, wanted, nullptr);
   surface.Contract.insert(surface.Contract.begin(), met.Decisions.begin(), met.Decisions.end());
   surface.Report.push_back(DescribeContract(
     contours, options, met, surface.Contract, CountPiecesAndHandles(surface.Mesh)));

@@ -20,6 +20,8 @@
 
 namespace recon
 {
+class KeptStages;
+
 /**
  * The boundary of the solid that the kept tetrahedra fill: closed, oriented outward, edge- and
  * vertex-manifold by index, not crossing itself. Every contour vertex that is not named in Report
@@ -58,10 +60,10 @@ struct PolyhedralSurface
 };
 
 /// @throws Error where the contours span fewer than two levels; Aborted.
-/// The surface is the same whichever tetrahedra are wanted.
+/// The surface is the same whichever tetrahedra are wanted, and whatever is kept of another run.
 PolyhedralSurface BuildPolyhedralSurface(const ContourSet& contours,
   const PolyhedralOptions& options, Monitor& monitor,
-  TetrahedraWanted wanted = TetrahedraWanted::ForSurface);
+  TetrahedraWanted wanted = TetrahedraWanted::ForSurface, KeptStages* kept = nullptr);
 }
 
 #endif

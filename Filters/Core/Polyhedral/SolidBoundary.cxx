@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <map>
+#include <numeric>
 #include <unordered_map>
 #include <utility>
 
@@ -95,29 +96,44 @@ private:
   void PairEdges()
   {
     const int count = static_cast<int>(3 * this->Boundary.Faces.size());
-    std::vector<std::pair<std::uint64_t, int>> edges;
-    edges.reserve(count);
-    for (int h = 0; h < count; ++h)
+    const auto endsOf = [this](int h)
     {
       const auto& points = this->Boundary.Faces[h / 3].Points;
-      edges.emplace_back(KeyOf(points[h % 3], points[(h % 3 + 1) % 3]), h);
-    }
-    std::sort(edges.begin(), edges.end());
-    this->Partner.resize(count);
-    for (int from = 0; from < count;)
+      return std::minmax(points[h % 3], points[(h % 3 + 1) % 3]);
+    };
+    // By the lesser end, then by the other: there are few at each.
+    std::vector<int> first(this->Solid.Vertices.size() + 1, 0);
+    for (int h = 0; h < count; ++h)
     {
-      int to = from;
-      while (to < count && edges[to].first == edges[from].first)
+      ++first[endsOf(h).first + 1];
+    }
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    std::vector<std::pair<int, int>> edges(count); // the other end, the half edge
+    std::vector<int> next(first.begin(), first.end() - 1);
+    for (int h = 0; h < count; ++h)
+    {
+      const auto ends = endsOf(h);
+      edges[next[ends.first]++] = { ends.second, h };
+    }
+    this->Partner.resize(count);
+    for (std::size_t v = 0; v + 1 < first.size(); ++v)
+    {
+      std::sort(edges.begin() + first[v], edges.begin() + first[v + 1]);
+      for (int from = first[v]; from < first[v + 1];)
       {
-        ++to;
+        int to = from;
+        while (to < first[v + 1] && edges[to].first == edges[from].first)
+        {
+          ++to;
+        }
+        for (int i = from; i < to; ++i)
+        {
+          const int h = edges[i].second;
+          this->Partner[h] =
+            to - from == 2 ? edges[from + to - 1 - i].second : this->Turn(h / 3, h % 3);
+        }
+        from = to;
       }
-      for (int i = from; i < to; ++i)
-      {
-        const int h = edges[i].second;
-        this->Partner[h] =
-          to - from == 2 ? edges[from + to - 1 - i].second : this->Turn(h / 3, h % 3);
-      }
-      from = to;
     }
   }
 

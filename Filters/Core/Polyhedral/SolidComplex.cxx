@@ -29,6 +29,7 @@ public:
   SolidComplex Build()
   {
     this->AddPlanarVertices();
+    this->ReserveCells();
     // By level: the faces that the solid shows to the plane from above and from below.
     std::vector<std::vector<Side>> above(this->Levels.size());
     std::vector<std::vector<Side>> below(this->Levels.size());
@@ -55,6 +56,18 @@ public:
   }
 
 private:
+  /// Those between the levels; the few others find room as vectors make it.
+  void ReserveCells()
+  {
+    std::size_t kept = 0;
+    for (const SlabState& slab : this->Slabs)
+    {
+      kept += std::count_if(slab.Diagram.Tetrahedra.begin(), slab.Diagram.Tetrahedra.end(),
+        [](const auto& t) { return t.Reason == SlabTetrahedra::Kept; });
+    }
+    this->Complex.Cells.reserve(kept + kept / 8);
+  }
+
   void AddPlanarVertices()
   {
     for (std::size_t level = 0; level < this->Levels.size(); ++level)

@@ -1,0 +1,366 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Polyhedral/KeptStages.h"
+
+#include "Base/SubMonitor.h"
+#include "Polyhedral/MapSlabs.h"
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+#include <set>
+#include <utility>
+
+namespace recon
+{
+namespace
+{
+/// Stages of more tetrahedra are not kept; a million and their levels take about 100 MB.
+constexpr std::size_t MostTetrahedra = 1000000;
+
+/// The progress when it is known what is joined to what, as in BuildPolyhedralStages.
+constexpr double MappedAt = 0.15;
+
+/// See KeptStages.h.
+int ReachOf(int rounds)
+{
+  return 2 * rounds + 1;
+}
+
+int FirstContourOf(const ContourSet& contours, int level)
+{
+  return contours.Levels[level].Contours.front();
+}
+
+/// Points of a level have neighbouring numbers.
+int FirstPointOf(const ContourSet& contours, int level)
+{
+  int first = std::numeric_limits<int>::max();
+  for (int c : contours.Levels[level].Contours)
+  {
+    const auto& points = contours.Contours[c].Points;
+    first = std::min(first, *std::min_element(points.begin(), points.end()));
+  }
+  return first;
+}
+
+/// But for the numbers of the first contour and of the first point.
+bool IsSameLevel(const ContourSet& before, const ContourSet& after, int level)
+{
+  const auto& ofBefore = before.Levels[level].Contours;
+  const auto& ofAfter = after.Levels[level].Contours;
+  if (ofBefore.size() != ofAfter.size())
+  {
+    return false;
+  }
+  const int pointBefore = FirstPointOf(before, level);
+  const int pointAfter = FirstPointOf(after, level);
+  for (std::size_t i = 0; i < ofBefore.size(); ++i)
+  {
+    const Contour& b = before.Contours[ofBefore[i]];
+    const Contour& a = after.Contours[ofAfter[i]];
+    const auto isSamePoint = [&](int p, int q)
+    {
+      return p - pointBefore == q - pointAfter && before.Planar[p] == after.Planar[q] &&
+        before.Points[p] == after.Points[q];
+    };
+    const bool isSame = b.Depth == a.Depth && (b.Parent < 0) == (a.Parent < 0) &&
+      (b.Parent < 0 || b.Parent - ofBefore.front() == a.Parent - ofAfter.front()) &&
+      std::equal(b.Points.begin(), b.Points.end(), a.Points.begin(), a.Points.end(), isSamePoint);
+    if (!isSame)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool IsSamePlane(const Level& a, const Level& b)
+{
+  return a.Offset == b.Offset && a.Grid == b.Grid && a.Frame.U == b.Frame.U &&
+    a.Frame.V == b.Frame.V && a.Frame.Normal == b.Frame.Normal;
+}
+
+/// All that the stages depend on.
+bool AreSame(const PolyhedralOptions& a, const PolyhedralOptions& b)
+{
+  return a.InternalPoints == b.InternalPoints && a.LiftInternalPoints == b.LiftInternalPoints &&
+    a.Mapping == b.Mapping && a.OverlapThreshold == b.OverlapThreshold &&
+    a.ForcedJoins == b.ForcedJoins && a.ForbiddenJoins == b.ForbiddenJoins &&
+    a.MaximumGap == b.MaximumGap && a.AlignLevels == b.AlignLevels && a.EndCaps == b.EndCaps &&
+    a.IsolatedContours == b.IsolatedContours;
+}
+
+using Pairs = std::set<std::pair<int, int>>;
+
+/// Pairs of contours of two levels with other numbers.
+Pairs Shifted(const Pairs& pairs, int byLower, int byUpper)
+{
+  Pairs shifted;
+  for (const auto& pair : pairs)
+  {
+    shifted.insert({ pair.first + byLower, pair.second + byUpper });
+  }
+  return shifted;
+}
+
+void Shift(std::vector<int>& numbers, int by)
+{
+  for (int& number : numbers)
+  {
+    number += number >= 0 ? by : 0;
+  }
+}
+
+void ShiftContours(LevelState& level, int by)
+{
+  Shift(level.Needles, by);
+  Shift(level.Triangulation.Region, by);
+  for (auto& contours : level.Triangulation.EdgeContour)
+  {
+    for (int& contour : contours)
+    {
+      contour += contour >= 0 ? by : 0;
+    }
+  }
+}
+
+/// Neighbouring levels as a stack of their own; points keep their numbers.
+ContourSet PartOf(const ContourSet& contours, int firstLevel, int endLevel)
+{
+  ContourSet part;
+  part.Parallel = true;
+  part.Points = contours.Points;
+  part.Planar = contours.Planar;
+  const int firstContour = FirstContourOf(contours, firstLevel);
+  for (int l = firstLevel; l < endLevel; ++l)
+  {
+    part.Levels.push_back(contours.Levels[l]);
+    Shift(part.Levels.back().Contours, -firstContour);
+    for (int c : contours.Levels[l].Contours)
+    {
+      Contour contour = contours.Contours[c];
+      contour.Level -= firstLevel;
+      contour.Parent -= contour.Parent < 0 ? 0 : firstContour;
+      part.Contours.push_back(std::move(contour));
+    }
+  }
+  return part;
+}
+}
+
+KeptStages::Range KeptStages::Range::Grown(int by, int levels) const
+{
+  return { std::max(0, this->First - by), std::min(levels, this->End + by) };
+}
+
+void KeptStages::Range::Include(int level)
+{
+  this->First = std::min(this->First, level);
+  this->End = std::max(this->End, level + 1);
+}
+
+const PolyhedralStages& KeptStages::Update(const ContourSet& contours,
+  const PolyhedralOptions& options, Monitor& monitor, double progressEnd, TetrahedraWanted wanted)
+{
+  if (this->IsOfUse(contours, options, wanted) &&
+    this->UpdatePart(contours, options, monitor, progressEnd, wanted))
+  {
+    return this->Stages;
+  }
+  this->HasStages = false;
+  this->Stages = PolyhedralStages(); // not both at once
+  this->Stages = BuildPolyhedralStages(contours, options, monitor, progressEnd, wanted);
+  this->Contours = contours;
+  this->Options = options;
+  this->Wanted = wanted;
+  this->Made = contours.Levels.size();
+  this->HasStages = true;
+  return this->Stages;
+}
+
+void KeptStages::ForgetIfLarge()
+{
+  std::size_t tetrahedra = 0;
+  for (const SlabState& slab : this->Stages.Slabs)
+  {
+    tetrahedra += slab.Diagram.Tetrahedra.size();
+  }
+  if (tetrahedra > MostTetrahedra)
+  {
+    this->HasStages = false;
+    this->Stages = PolyhedralStages();
+    this->Contours = ContourSet();
+  }
+}
+
+/// Levels that were shifted, and ends that go on as the sections before them tell, depend on the whole stack.
+bool KeptStages::IsOfUse(
+  const ContourSet& contours, const PolyhedralOptions& options, TetrahedraWanted wanted) const
+{
+  return this->HasStages && contours.Parallel && this->Wanted == wanted &&
+    options.Contract.empty() && AreSame(this->Options, options) &&
+    this->Stages.Alignment.IsEmpty() && options.EndCaps != PolyhedralOptions::Extrapolated &&
+    std::equal(contours.Levels.begin(), contours.Levels.end(), this->Contours.Levels.begin(),
+      this->Contours.Levels.end(), IsSamePlane);
+}
+
+KnownOverlaps KeptStages::OverlapsWithout(const Range& changed, const ContourSet& contours) const
+{
+  const std::vector<std::vector<RegionOverlap>>& before = this->Stages.Mapping.Overlaps;
+  KnownOverlaps known(before.size());
+  for (int slab = 0; slab < static_cast<int>(before.size()); ++slab)
+  {
+    if (slab + 1 >= changed.First && slab < changed.End)
+    {
+      continue;
+    }
+    const int lower = FirstContourOf(contours, slab) - FirstContourOf(this->Contours, slab);
+    const int upper = FirstContourOf(contours, slab + 1) - FirstContourOf(this->Contours, slab + 1);
+    known[slab] = before[slab];
+    for (RegionOverlap& overlap : *known[slab])
+    {
+      overlap.LowerContour += lower;
+      overlap.UpperContour += upper;
+    }
+  }
+  return known;
+}
+
+bool KeptStages::UpdatePart(const ContourSet& contours, const PolyhedralOptions& options,
+  Monitor& monitor, double progressEnd, TetrahedraWanted wanted)
+{
+  const auto start = std::chrono::steady_clock::now();
+  LevelAlignment alignment = FindLevelAlignment(contours, options.AlignLevels, options.ForcedJoins);
+  if (!alignment.IsEmpty())
+  {
+    return false;
+  }
+  const int levels = static_cast<int>(contours.Levels.size());
+  Range changed{ levels, 0 };
+  for (int l = 0; l < levels; ++l)
+  {
+    if (!IsSameLevel(this->Contours, contours, l))
+    {
+      changed.Include(l);
+    }
+  }
+  std::vector<SlabState> slabs(this->Stages.Slabs.size());
+  std::vector<std::string> report = alignment.Report;
+  SubMonitor mappingMonitor(monitor, 0, MappedAt * progressEnd);
+  ContourMapping mapping = MapSlabs(
+    contours, options, slabs, report, mappingMonitor, this->OverlapsWithout(changed, contours));
+  for (int i = 0; i + 1 < levels; ++i)
+  {
+    const SlabJoins& before = this->Stages.Slabs[i].Joins;
+    const int lower = FirstContourOf(contours, i) - FirstContourOf(this->Contours, i);
+    const int upper = FirstContourOf(contours, i + 1) - FirstContourOf(this->Contours, i + 1);
+    if (before.IsGap != slabs[i].Joins.IsGap ||
+      before.AllByDefault != slabs[i].Joins.AllByDefault ||
+      Shifted(before.Exceptions, lower, upper) != slabs[i].Joins.Exceptions)
+    {
+      changed.Include(i);
+      changed.Include(i + 1);
+    }
+  }
+  const std::chrono::duration<double> mapped = std::chrono::steady_clock::now() - start;
+
+  PolyhedralStages part;
+  part.Rounds = this->Stages.Rounds;
+  Range window = changed;
+  int rounds = 0;
+  this->Made = 0;
+  // What takes more rounds than before reaches farther, and there are only so many.
+  while (changed.First < changed.End && rounds < part.Rounds)
+  {
+    rounds = std::max(rounds, part.Rounds);
+    window = changed.Grown(2 * ReachOf(rounds), levels);
+    if (window.End - window.First == levels)
+    {
+      return false;
+    }
+    const ContourSet contoursOfPart = PartOf(contours, window.First, window.End);
+    const int firstContour = FirstContourOf(contours, window.First);
+    JoinsOfPart joins;
+    joins.Spacing = contours.Spacing();
+    for (int i = window.First; i + 1 < window.End; ++i)
+    {
+      joins.Joins.push_back(slabs[i].Joins);
+      joins.Joins.back().Exceptions =
+        Shifted(slabs[i].Joins.Exceptions, -firstContour, -firstContour);
+    }
+    SubMonitor making(monitor, MappedAt * progressEnd, progressEnd);
+    try
+    {
+      part = BuildStagesOfPart(contoursOfPart, joins, options, making, 1, wanted);
+    }
+    catch (const Error&)
+    {
+      return false; // the whole stack has the sentence
+    }
+  }
+
+  this->Renumber(contours);
+  if (changed.First < changed.End)
+  {
+    this->Made = static_cast<std::size_t>(window.End - window.First);
+    this->TakeOver(
+      part, window, changed.Grown(ReachOf(rounds), levels), FirstContourOf(contours, window.First));
+  }
+  for (std::size_t i = 0; i < slabs.size(); ++i)
+  {
+    this->Stages.Slabs[i].Joins = std::move(slabs[i].Joins);
+  }
+  this->Contours = contours;
+  this->Stages.Alignment = std::move(alignment);
+  this->Stages.Rounds = std::max(this->Stages.Rounds, rounds);
+  this->Stages.Mapping = std::move(mapping);
+  this->Stages.Report = std::move(report);
+  AddReports(contours, options, this->Stages);
+  for (auto& [stage, seconds] : this->Stages.StageSeconds)
+  {
+    const std::string& name = stage;
+    const auto again = std::find_if(part.StageSeconds.begin(), part.StageSeconds.end(),
+      [&](const auto& known) { return known.first == name; });
+    seconds = again != part.StageSeconds.end() ? again->second : 0;
+  }
+  this->Stages.StageSeconds.front().second = mapped.count();
+  return true;
+}
+
+/// What was made before, by the numbers that contours and points have now.
+void KeptStages::Renumber(const ContourSet& contours)
+{
+  const int levels = static_cast<int>(this->Stages.Levels.size());
+  std::vector<int> by(levels);
+  for (int l = 0; l < levels; ++l)
+  {
+    by[l] = FirstContourOf(contours, l) - FirstContourOf(this->Contours, l);
+    Shift(this->Stages.Levels[l].Triangulation.Source,
+      FirstPointOf(contours, l) - FirstPointOf(this->Contours, l));
+    ShiftContours(this->Stages.Levels[l], by[l]);
+  }
+  for (int i = 0; i + 1 < levels; ++i)
+  {
+    Pairs& regions = this->Stages.Slabs[i].Diagram.GapRegions;
+    regions = Shifted(regions, by[i], by[i + 1]);
+  }
+}
+
+/// What a change has reached, of a part that is right there.
+void KeptStages::TakeOver(
+  PolyhedralStages& part, const Range& window, const Range& reached, int firstContour)
+{
+  for (int l = reached.First; l < reached.End; ++l)
+  {
+    LevelState& level = part.Levels[l - window.First];
+    ShiftContours(level, firstContour);
+    this->Stages.Levels[l] = std::move(level);
+  }
+  for (int i = reached.First; i + 1 < reached.End; ++i)
+  {
+    SlabState& slab = part.Slabs[i - window.First];
+    slab.Diagram.GapRegions = Shifted(slab.Diagram.GapRegions, firstContour, firstContour);
+    this->Stages.Slabs[i] = std::move(slab);
+  }
+}
+}
