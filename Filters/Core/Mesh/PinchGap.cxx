@@ -4,12 +4,14 @@
 #include "Base/Median.h"
 #include "Base/PointHash.h"
 #include "Mesh/MassProperties.h"
+#include "Mesh/TriangleClearance.h"
 #include "Mesh/TriangleComponents.h"
 #include "Mesh/TriangleMeasures.h"
 #include "Mesh/TrianglePair.h"
 #include "Mesh/TriangleTree.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -27,6 +29,10 @@ constexpr double LargestPartOfEdge = 0.1;
 constexpr int Lengths = 4;
 /// Faces that lean less than this against the plane of the contours (a sine) count as lying in it.
 constexpr double LeastSlope = 1e-6;
+/// So many pairs of triangles are looked at before no other way is tried any more: in a few seconds, which only sheets
+/// by the thousand within one another's reach need.
+constexpr std::size_t FewPairs = 20000000;
+constexpr std::size_t PairsATriangle = 1000;
 /// Steps of the search for a direction on the inner side of all faces of a fan.
 constexpr int DirectionSteps = 64;
 
@@ -63,6 +69,8 @@ private:
     Point3 From{};
     std::vector<Vector3> Steps; ///< the better first
     int Trial = 0;
+    void TryNext() { ++this->Trial; }
+    void GiveUp() { this->Trial = Lengths * static_cast<int>(this->Steps.size()); }
     bool IsMade() const { return this->Trial < Lengths * static_cast<int>(this->Steps.size()); }
     Point3 To() const
     {
@@ -274,7 +282,8 @@ private:
 
   void MoveWithoutCrossing()
   {
-    const TriangleTree tree(this->Mesh, this->BoxesOfAllTrials());
+    this->FindWhereTheyMayGo();
+    const TriangleTree tree(this->Mesh, this->BoxesOfTrials);
     this->MoveOf.assign(this->Mesh.Points.size(), -1);
     this->Make(0, tree);
     // Where one point found no way, the one that stayed may find one instead of it.
@@ -294,14 +303,17 @@ private:
     this->Make(first, tree);
   }
 
-  /// Around each triangle wherever its points may go. A shorter way along a step ends between the ends of the
-  /// whole one, also when it is rounded.
-  std::vector<Box3> BoxesOfAllTrials() const
+  /// Around each triangle wherever its points may go, and how far from where they are. A shorter way along a
+  /// step ends between the ends of the whole one, also when it is rounded.
+  void FindWhereTheyMayGo()
   {
-    std::vector<Box3> boxes;
+    this->Origin = this->Mesh.Points;
+    this->Reach.assign(this->Mesh.Triangles.size(), 0);
+    this->Neighbours.resize(this->Mesh.Triangles.size());
+    this->IsAsked.assign(this->Mesh.Triangles.size(), 0);
     for (std::size_t t = 0; t < this->Mesh.Triangles.size(); ++t)
     {
-      boxes.push_back(BoxOf(this->Mesh, static_cast<int>(t)));
+      this->BoxesOfTrials.push_back(BoxOf(this->Mesh, static_cast<int>(t)));
     }
     for (const std::vector<Move>* moves : { &this->Moves, &this->Stays })
     {
@@ -311,12 +323,40 @@ private:
         {
           for (const Vector3& step : move.Steps)
           {
-            boxes[t].Add(move.From + step);
+            this->BoxesOfTrials[t].Add(move.From + step);
+            this->Reach[t] = std::max(this->Reach[t], Norm(step));
           }
         }
       }
     }
-    return boxes;
+  }
+
+  std::array<Point3, 3> OriginOf(int triangle) const
+  {
+    const auto& corners = this->Mesh.Triangles[triangle];
+    return { this->Origin[corners[0]], this->Origin[corners[1]], this->Origin[corners[2]] };
+  }
+
+  /// Triangles that one may meet, wherever the points of both may go; looked for once.
+  const std::vector<int>& NeighboursOf(int triangle, const TriangleTree& tree)
+  {
+    std::vector<int>& neighbours = this->Neighbours[triangle];
+    if (!this->IsAsked[triangle])
+    {
+      this->IsAsked[triangle] = 1;
+      tree.VisitMeeting(this->BoxesOfTrials[triangle],
+        [&](int other)
+        {
+          ++this->PairsAsked;
+          const double reach = this->Reach[triangle] + this->Reach[other];
+          if (other != triangle &&
+            !AreFartherApartThan(this->OriginOf(triangle), this->OriginOf(other), reach))
+          {
+            neighbours.push_back(other);
+          }
+        });
+    }
+    return neighbours;
   }
 
   /// Stays are in the order of the places.
@@ -347,9 +387,11 @@ private:
       std::vector<int> wrong = this->MovesThatCross(tree, toLookAt);
       this->AddMovesThatTurn(toLookAt, wrong);
       toLookAt.clear();
+      const bool isEnough =
+        this->PairsAsked > FewPairs + PairsATriangle * this->Mesh.Triangles.size();
       for (int m : wrong)
       {
-        ++this->Moves[m].Trial;
+        isEnough ? this->Moves[m].GiveUp() : this->Moves[m].TryNext();
         place(static_cast<std::size_t>(m));
       }
     }
@@ -369,7 +411,7 @@ private:
   }
 
   /// Numbers of moves that are made, of triangles that cross, overlap or touch others.
-  std::vector<int> MovesThatCross(const TriangleTree& tree, std::vector<int>& triangles) const
+  std::vector<int> MovesThatCross(const TriangleTree& tree, std::vector<int>& triangles)
   {
     std::sort(triangles.begin(), triangles.end());
     triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
@@ -388,21 +430,22 @@ private:
     for (int t : triangles)
     {
       const Box3 box = BoxOf(this->Mesh, t);
-      tree.VisitMeeting(box,
-        [&](int other)
+      const std::vector<int>& neighbours = this->NeighboursOf(t, tree);
+      this->PairsAsked += neighbours.size();
+      for (const int other : neighbours)
+      {
+        if (!BoxOf(this->Mesh, other).Meets(box))
         {
-          if (other == t || !BoxOf(this->Mesh, other).Meets(box))
-          {
-            return;
-          }
-          const PairRelation relation = RelateTriangles(this->Mesh, t, other);
-          if (relation != PairRelation::Clean &&
-            (relation != PairRelation::Touching || !this->ShareAPlace(t, other)))
-          {
-            blame(t);
-            blame(other);
-          }
-        });
+          continue;
+        }
+        const PairRelation relation = RelateTriangles(this->Mesh, t, other);
+        if (relation != PairRelation::Clean &&
+          (relation != PairRelation::Touching || !this->ShareAPlace(t, other)))
+        {
+          blame(t);
+          blame(other);
+        }
+      }
     }
     std::sort(wrong.begin(), wrong.end());
     wrong.erase(std::unique(wrong.begin(), wrong.end()), wrong.end());
@@ -474,8 +517,14 @@ private:
   std::vector<int> FanOf;             ///< of a point that has company the number of its fan, or -1
   std::vector<std::vector<int>> Fans; ///< triangles
   std::vector<Move> Moves;
-  std::vector<Move> Stays; ///< by place the point that stays, and how it could go
-  std::vector<int> MoveOf; ///< of a point, or -1
+  std::vector<Move> Stays;                  ///< by place the point that stays, and how it could go
+  std::vector<int> MoveOf;                  ///< of a point, or -1
+  std::vector<Point3> Origin;               ///< points before any move
+  std::vector<Box3> BoxesOfTrials;          ///< a triangle: around wherever it may be moved
+  std::vector<double> Reach;                ///< a triangle: the farthest that a corner may be moved
+  std::vector<std::vector<int>> Neighbours; ///< see NeighboursOf
+  std::size_t PairsAsked = 0;
+  std::vector<char> IsAsked; ///< a triangle: whether Neighbours has them
   TriangleComponents Pieces;
   std::vector<double> Volumes; ///< of the pieces, before any move
 };
