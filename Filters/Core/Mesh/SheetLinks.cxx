@@ -27,7 +27,7 @@ constexpr int MostHalvings = 3;
 constexpr int MostTries = 500;
 
 /// Of the slab: the middles of triangles are no nearer to a level than this.
-constexpr double LeastHeight = 0.02;
+constexpr double LeastHeight = 1e-3;
 
 struct Candidate
 {
