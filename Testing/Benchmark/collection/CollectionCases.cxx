@@ -296,7 +296,8 @@ std::vector<std::string> RegionsOf(const std::string& fileName)
   std::vector<std::string> names;
   if (ending == ".dcm")
   {
-    for (const StructureSetROI& roi : StructureSetFile(fileName).GetROIs())
+    const StructureSetFile file(fileName);
+    for (const StructureSetROI& roi : file.GetROIs())
     {
       names.push_back(roi.Name);
     }
