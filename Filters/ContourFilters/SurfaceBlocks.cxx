@@ -72,6 +72,29 @@ std::vector<NamedPolyData> ListPolyData(vtkDataObject* object)
   return found;
 }
 
+std::vector<NamedPolyData> ListSurfaces(vtkDataObject* object)
+{
+  std::vector<NamedPolyData> surfaces = ListPolyData(object);
+  surfaces.erase(std::remove_if(surfaces.begin(), surfaces.end(),
+                   [](const NamedPolyData& block) { return block.Data->GetNumberOfPolys() == 0; }),
+    surfaces.end());
+  if (surfaces.empty())
+  {
+    throw Error("No block of the collection has a surface to write.");
+  }
+  return surfaces;
+}
+
+std::vector<std::string> NamesOf(const std::vector<NamedPolyData>& blocks)
+{
+  std::vector<std::string> names;
+  for (const NamedPolyData& block : blocks)
+  {
+    names.push_back(block.Name);
+  }
+  return names;
+}
+
 std::vector<vtkPolyData*> MatchContours(
   const std::vector<NamedPolyData>& surfaces, vtkDataObject* contours)
 {

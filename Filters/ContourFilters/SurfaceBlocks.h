@@ -26,6 +26,15 @@ struct NamedPolyData
 CONTOURFILTERS_EXPORT std::vector<NamedPolyData> ListPolyData(vtkDataObject* object);
 
 /**
+ * Those of ListPolyData that have polygons; the others are regions of which nothing was made.
+ *
+ * @throws Error where there is none.
+ */
+CONTOURFILTERS_EXPORT std::vector<NamedPolyData> ListSurfaces(vtkDataObject* object);
+
+CONTOURFILTERS_EXPORT std::vector<std::string> NamesOf(const std::vector<NamedPolyData>& blocks);
+
+/**
  * The contours of each surface: the only ones there are, those of the same name, or else those at
  * the same position where there are as many of the one as of the other. nullptr where a surface has
  * none.

@@ -4,9 +4,10 @@
 #include "Base/SubMonitor.h"
 #include "BRep/BRepContours.h"
 #include "BRep/BRepFormatter.h"
-#include "Common/RegionWriting.h"
+#include "Common/RegionFiles.h"
 #include "ContourConversion.h"
 #include "RunCore.h"
+#include "SurfaceBlocks.h"
 #include "vtkContourMonitor.h"
 
 #include "vtkCellData.h"
@@ -114,10 +115,10 @@ void vtkBRepWriter::WriteSurface(
 
 void vtkBRepWriter::WriteRegions()
 {
-  const std::vector<recon::NamedPolyData> regions = recon::FilledRegions(this->GetInput());
+  const std::vector<recon::NamedPolyData> regions = recon::ListSurfaces(this->GetInput());
   const std::vector<vtkPolyData*> contours = recon::MatchContours(regions, this->GetInput(1));
   const auto count = static_cast<double>(regions.size());
-  recon::WriteRegionFiles(regions, this->FileName,
+  recon::WriteRegionFiles(recon::NamesOf(regions), this->FileName,
     [&](std::size_t r, const std::string& file)
     {
       vtkContourMonitor monitor(

@@ -6,6 +6,9 @@
 #ifndef recon_RegionFiles_h
 #define recon_RegionFiles_h
 
+#include "Base/Monitor.h"
+
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -18,6 +21,35 @@ namespace recon
  */
 std::vector<std::string> RegionFileNames(
   const std::string& path, const std::vector<std::string>& regions);
+
+/**
+ * Calls write(r, file) for region r of each, with the name that RegionFileNames gives. What is wrong
+ * with one region costs that one only.
+ *
+ * @throws Error at the end, with the names and sentences of those that failed.
+ */
+template <typename WriteFunction>
+void WriteRegionFiles(
+  const std::vector<std::string>& regions, const std::string& path, WriteFunction&& write)
+{
+  const std::vector<std::string> files = RegionFileNames(path, regions);
+  std::string failed;
+  for (std::size_t r = 0; r < regions.size(); ++r)
+  {
+    try
+    {
+      write(r, files[r]);
+    }
+    catch (const Error& error)
+    {
+      failed += (failed.empty() ? "" : " ") + ("\"" + regions[r] + "\": " + error.what());
+    }
+  }
+  if (!failed.empty())
+  {
+    throw Error(failed);
+  }
+}
 }
 
 #endif

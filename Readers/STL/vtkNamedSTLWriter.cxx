@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkNamedSTLWriter.h"
 
-#include "Common/RegionWriting.h"
+#include "Common/RegionFiles.h"
 #include "Common/ReplacedFile.h"
 #include "RunCore.h"
+#include "SurfaceBlocks.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
@@ -131,8 +132,8 @@ void vtkNamedSTLWriter::WriteData()
     vtkErrorCode::CannotOpenFileError, {},
     [&]
     {
-      const std::vector<recon::NamedPolyData> regions = recon::FilledRegions(this->GetInput());
-      recon::WriteRegionFiles(regions, this->FileName,
+      const std::vector<recon::NamedPolyData> regions = recon::ListSurfaces(this->GetInput());
+      recon::WriteRegionFiles(recon::NamesOf(regions), this->FileName,
         [&](std::size_t r, const std::string& file)
         {
           this->WriteSurface(regions[r].Data, regions[r].Name, file);

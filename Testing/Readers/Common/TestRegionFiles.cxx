@@ -36,3 +36,26 @@ TEST(RegionFiles, LongNamesAreCutBetweenLetters)
   EXPECT_EQ(name.size(), std::string("x-.brep").size() + 99);
   EXPECT_EQ(name.substr(name.size() - 7), "é.brep");
 }
+
+TEST(WriteRegionFiles, CostsOnlyTheRegionThatFails)
+{
+  std::vector<std::string> written;
+  try
+  {
+    recon::WriteRegionFiles({ "heart", "lung", "liver" }, "a.stl",
+      [&](std::size_t r, const std::string& file)
+      {
+        if (r == 1)
+        {
+          throw recon::Error("It is too large.");
+        }
+        written.push_back(file);
+      });
+    FAIL() << "nothing was said";
+  }
+  catch (const recon::Error& error)
+  {
+    EXPECT_STREQ(error.what(), "\"lung\": It is too large.");
+  }
+  EXPECT_EQ(written, (std::vector<std::string>{ "a-heart.stl", "a-liver.stl" }));
+}
