@@ -45,7 +45,7 @@ trap 'rm -rf "$fake"' EXIT
 printf '#!/bin/sh\nexit 1\n' >"$fake/dpkg-query"
 printf '#!/bin/sh\necho 1000\n' >"$fake/id"
 chmod +x "$fake"/*
-for tool in bash dirname grep cat printf tail mktemp nproc awk rm; do
+for tool in bash dirname grep sed cat printf tail mktemp nproc awk rm; do
   [[ -e "$fake/$tool" ]] || ln -s "$(command -v "$tool")" "$fake/$tool"
 done
 words="$(PATH="$fake" "$fake/bash" "$run" setup 2>&1)" && fail "setup succeeds without packages and rights"
