@@ -60,7 +60,7 @@ public:
   /**
    * How many pieces and handles the surface is to have, -1 (default): any. Pieces are closed sheets,
    * the wall of a cavity is one of its own; handles those of all pieces together. The cheapest joins are
-   * made, parted, or cut off halfway between two levels that come to it; Report says which, and what
+   * made, parted, or cut off between two levels that come to it; Report says which, and what
    * cannot be met.
    */
   vtkSetClampMacro(ExpectedPieces, int, -1, VTK_INT_MAX);

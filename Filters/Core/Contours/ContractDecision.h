@@ -15,8 +15,8 @@ struct ContractDecision
     Join,   ///< two solid regions that would not be joined
     Part,   ///< two solid regions that would be joined
     Tunnel, ///< what is not solid at two contours, through the solid between them
-    Cut,    ///< the solid between two contours, at one place halfway
-    Fill    ///< a hole between two contours, at one place halfway
+    Cut,    ///< the solid between two contours, at one place between their levels
+    Fill    ///< a hole between two contours, at one place between their levels
   };
 
   KindType Kind = Join;

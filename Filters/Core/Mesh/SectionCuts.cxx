@@ -2,6 +2,7 @@
 #include "Mesh/SectionCuts.h"
 
 #include "Base/DisjointSets.h"
+#include "Base/SubMonitor.h"
 #include "Mesh/SectionDiscs.h"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
@@ -10,7 +11,9 @@
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -21,6 +24,16 @@ namespace recon
 {
 namespace
 {
+/// Directions in which planes are tilted, where those along the levels do not do: points between two
+/// levels often lie at one height, and loops that meet there are apart in a tilted plane.
+constexpr int TiltDirections = 8;
+
+/// Each far from all others, and from the directions of pixels.
+constexpr double GoldenAngle = 2.399963229728653;
+
+/// How far a tilted plane rises over the whole surface, in thicknesses of the thinnest slab.
+constexpr double RiseAcross = 0.5;
+
 using Edge = std::array<int, 2>;
 using Triangle = std::array<int, 3>;
 
@@ -30,56 +43,70 @@ using FaceBase = CGAL::Constrained_triangulation_face_base_2<Kernel>;
 using Structure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
 using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure>;
 
-/// Triangles of a simple polygon, by its corners, counterclockwise; nothing where it is not simple.
-std::optional<std::vector<Triangle>> TrianglesOf(const std::vector<Point2>& polygon)
+using Polygon = std::vector<Point2>;
+using FaceSet = std::set<Triangulation::Face_handle>;
+
+/// All faces that are reached without crossing a polygon; those just beyond are added to the second.
+FaceSet ReachedFrom(std::vector<Triangulation::Face_handle> stack, const FaceSet& known,
+  std::vector<Triangulation::Face_handle>& beyond)
 {
-  std::vector<Kernel::Point_2> corners;
-  for (const Point2& p : polygon)
-  {
-    corners.emplace_back(p[0], p[1]);
-  }
-  if (!CGAL::is_simple_2(corners.begin(), corners.end()))
-  {
-    return std::nullopt;
-  }
-  Triangulation triangulation;
-  std::vector<Triangulation::Vertex_handle> vertices;
-  for (std::size_t i = 0; i < corners.size(); ++i)
-  {
-    vertices.push_back(triangulation.insert(corners[i]));
-    vertices.back()->info() = static_cast<int>(i);
-  }
-  for (std::size_t i = 0; i < corners.size(); ++i)
-  {
-    triangulation.insert_constraint(vertices[i], vertices[(i + 1) % corners.size()]);
-  }
-  // Outside is what is reached from the infinite vertex without crossing the polygon.
-  std::set<Triangulation::Face_handle> outside;
-  std::vector<Triangulation::Face_handle> stack{ triangulation.infinite_face() };
+  FaceSet reached;
   while (!stack.empty())
   {
     const Triangulation::Face_handle face = stack.back();
     stack.pop_back();
-    if (!outside.insert(face).second)
+    if (known.count(face) > 0 || !reached.insert(face).second)
     {
       continue;
     }
     for (int k = 0; k < 3; ++k)
     {
-      if (!face->is_constrained(k))
-      {
-        stack.push_back(face->neighbor(k));
-      }
+      (face->is_constrained(k) ? beyond : stack).push_back(face->neighbor(k));
     }
   }
-  std::vector<Triangle> triangles;
-  for (const Triangulation::Face_handle face : triangulation.finite_face_handles())
+  return reached;
+}
+
+/// Triangles of a polygon without those inside it, by corners, numbered on from polygon to polygon,
+/// counterclockwise; nothing where one is not simple, or two cross.
+std::optional<std::vector<Triangle>> TrianglesOf(const std::vector<Polygon>& polygons)
+{
+  Triangulation triangulation;
+  std::size_t count = 0;
+  for (const Polygon& polygon : polygons)
   {
-    if (outside.count(face) == 0)
+    std::vector<Kernel::Point_2> corners;
+    for (const Point2& p : polygon)
     {
-      triangles.push_back(
-        { face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info() });
+      corners.emplace_back(p[0], p[1]);
     }
+    if (!CGAL::is_simple_2(corners.begin(), corners.end()))
+    {
+      return std::nullopt;
+    }
+    std::vector<Triangulation::Vertex_handle> vertices;
+    for (const Kernel::Point_2& corner : corners)
+    {
+      vertices.push_back(triangulation.insert(corner));
+      vertices.back()->info() = static_cast<int>(count++);
+    }
+    for (std::size_t i = 0; i < corners.size(); ++i)
+    {
+      triangulation.insert_constraint(vertices[i], vertices[(i + 1) % corners.size()]);
+    }
+  }
+  if (triangulation.number_of_vertices() != count)
+  {
+    return std::nullopt; // corners that coincide, or crossings
+  }
+  std::vector<Triangulation::Face_handle> first;
+  std::vector<Triangulation::Face_handle> second;
+  const FaceSet outside = ReachedFrom({ triangulation.infinite_face() }, {}, first);
+  std::vector<Triangle> triangles;
+  for (const Triangulation::Face_handle face : ReachedFrom(first, outside, second))
+  {
+    triangles.push_back(
+      { face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info() });
   }
   std::sort(triangles.begin(), triangles.end());
   return triangles;
@@ -97,34 +124,37 @@ double SignedAreaOf(const std::vector<Point2>& polygon)
   return twice;
 }
 
+/// Cuts along planes of one direction.
 class Cutter
 {
 public:
-  Cutter(TriangleMesh& mesh, const PlanarFrame& frame, const std::vector<double>& offsets)
+  Cutter(TriangleMesh& mesh, const SectionPlanes& planes, const Vector3& normal,
+    const std::vector<double>& offsets, Monitor& monitor)
     : Mesh(mesh),
-      Frame(frame),
-      Discs(FindSectionDiscs(mesh, frame, offsets))
+      Frame(planes.Frame),
+      Normal(normal),
+      Discs(FindSectionDiscs(mesh, planes, normal, offsets, monitor))
   {
-    const auto isUseless = [&](const SectionDisc& disc)
-    { return !this->CapOf(disc, disc.Low) || !this->CapOf(disc, disc.High); };
-    this->Discs.erase(
-      std::remove_if(this->Discs.begin(), this->Discs.end(), isUseless), this->Discs.end());
   }
 
-  SectionCuts Cut(int handles, Monitor& monitor)
+  SectionCuts Cut(int handles)
   {
-    std::vector<std::size_t> chosen = this->DiscsThatPartNothing();
-    chosen.resize(std::min(chosen.size(), static_cast<std::size_t>(std::max(0, handles))));
-    monitor.Update(0.5, "cutting handles");
-    for (const std::size_t d : chosen)
+    const std::vector<Cutting> cuttings = this->Choose(static_cast<std::size_t>(handles));
+    for (const Cutting& cutting : cuttings)
     {
-      const SectionDisc& disc = this->Discs[d];
+      const SectionDisc& disc = *cutting.Disc;
       const double height = (disc.Low + disc.High) / 2;
-      this->Result.Cuts.push_back({ disc.Slab, height, disc.Area, disc.Solid,
-        this->Frame.ToSpace(CrossingAt(this->Mesh, this->Frame, disc.Edges[0], height), height) });
-      for (const int t : disc.Triangles)
+      const Point3 place = this->Frame.ToSpace(
+        CrossingAt(this->Mesh, this->Frame, disc.Loop.Edges[0], height), height);
+      this->Result.Cuts.push_back(
+        { disc.Slab, Dot(this->Normal, place), disc.Area, disc.Solid, place });
+      for (const Opening& opening : cutting.Openings)
       {
-        this->DiscsOfTriangle[t].push_back(d);
+        for (const int t : opening.Loop->Triangles)
+        {
+          std::vector<double>& cuts = this->CutsOfTriangle[t];
+          cuts.insert(cuts.end(), { opening.Low, opening.High });
+        }
       }
     }
     const TriangleMesh before = this->Mesh;
@@ -133,28 +163,137 @@ public:
     {
       this->AddParts(before, static_cast<int>(t));
     }
-    for (const std::size_t d : chosen)
+    for (const Cutting& cutting : cuttings)
     {
-      this->AddCap(before, this->Discs[d], false);
-      this->AddCap(before, this->Discs[d], true);
+      for (const Cap& cap : cutting.Caps)
+      {
+        this->AddCap(before, cap);
+      }
     }
     return std::move(this->Result);
   }
 
 private:
-  std::vector<Point2> Corners(const SectionDisc& disc, double height) const
+  /// A loop along which the surface is taken away between two heights.
+  struct Opening
   {
-    std::vector<Point2> corners;
-    for (const Edge& edge : disc.Edges)
+    const SectionLoop* Loop;
+    double Low;
+    double High;
+  };
+
+  /// Closes the surface at one height, from a loop to those inside it.
+  struct Cap
+  {
+    std::vector<const SectionLoop*> Loops;
+    double Height;
+    bool Above; ///< above what is taken away
+  };
+
+  struct Cutting
+  {
+    const SectionDisc* Disc;
+    std::vector<Opening> Openings;
+    std::vector<Cap> Caps;
+  };
+
+  /// The cheapest that can be made, up to so many.
+  std::vector<Cutting> Choose(std::size_t handles)
+  {
+    while (true)
     {
-      corners.push_back(CrossingAt(this->Mesh, this->Frame, edge, height));
+      std::vector<std::size_t> chosen = this->DiscsThatPartNothing();
+      chosen.resize(std::min(chosen.size(), handles));
+      std::vector<Cutting> cuttings;
+      std::vector<std::size_t> useless;
+      for (const std::size_t d : chosen)
+      {
+        if (auto cutting = this->CuttingOf(this->Discs[d]))
+        {
+          cuttings.push_back(std::move(*cutting));
+        }
+        else
+        {
+          useless.push_back(d);
+        }
+      }
+      if (useless.empty())
+      {
+        return cuttings;
+      }
+      std::sort(useless.rbegin(), useless.rend());
+      for (const std::size_t d : useless) // so this ends
+      {
+        this->Discs.erase(this->Discs.begin() + static_cast<std::ptrdiff_t>(d));
+      }
     }
-    return corners;
   }
 
-  std::optional<std::vector<Triangle>> CapOf(const SectionDisc& disc, double height) const
+  /**
+   * A disc is taken away between its two heights. Of a ring each loop inside parts the surface: what
+   * hangs there on the one side goes on hanging on the ring's cap of that side; to the other side the
+   * loop is closed, a little farther out, so that the ring's cap there is a disc.
+   */
+  std::optional<Cutting> CuttingOf(const SectionDisc& disc) const
   {
-    return TrianglesOf(this->Corners(disc, height));
+    const double margin = disc.Inside.empty() ? 0 : (disc.High - disc.Low) / 4;
+    const double low = disc.Low + margin;
+    const double high = disc.High - margin;
+    Cutting cutting{ &disc, { { &disc.Loop, low, high } },
+      { { { &disc.Loop }, low, false }, { { &disc.Loop }, high, true } } };
+    for (const SectionLoop& inner : disc.Inside)
+    {
+      const std::optional<bool> hangsAbove = this->HangsAbove(inner, disc.Loop);
+      if (!hangsAbove)
+      {
+        return std::nullopt;
+      }
+      cutting.Openings.push_back(
+        { &inner, *hangsAbove ? disc.Low : low, *hangsAbove ? high : disc.High });
+      cutting.Caps.push_back({ { &inner }, *hangsAbove ? disc.Low : disc.High, !*hangsAbove });
+      cutting.Caps[*hangsAbove ? 1 : 0].Loops.push_back(&inner);
+    }
+    const bool isPossible = std::all_of(cutting.Caps.begin(), cutting.Caps.end(),
+      [&](const Cap& cap) { return TrianglesOf(this->CornersOf(this->Mesh, cap)).has_value(); });
+    return isPossible ? std::make_optional(std::move(cutting)) : std::nullopt;
+  }
+
+  /// Whether what a loop parts from the one around it lies above; nothing where it parts nothing.
+  std::optional<bool> HangsAbove(const SectionLoop& inner, const SectionLoop& around) const
+  {
+    const std::set<Edge> crossed(inner.Edges.begin(), inner.Edges.end());
+    DisjointSets sets(this->Mesh.Points.size());
+    for (const Triangle& triangle : this->Mesh.Triangles)
+    {
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        const int a = triangle[k];
+        const int b = triangle[(k + 1) % 3];
+        if (crossed.count({ { a, b } }) == 0 && crossed.count({ { b, a } }) == 0)
+        {
+          sets.Join(a, b);
+        }
+      }
+    }
+    const int below = sets.Find(inner.Edges[0][0]);
+    const int above = sets.Find(inner.Edges[0][1]);
+    const int own = sets.Find(around.Edges[0][0]);
+    return below == above || (own != below && own != above) ? std::nullopt
+                                                            : std::make_optional(own == below);
+  }
+
+  std::vector<Polygon> CornersOf(const TriangleMesh& mesh, const Cap& cap) const
+  {
+    std::vector<Polygon> polygons;
+    for (const SectionLoop* loop : cap.Loops)
+    {
+      polygons.emplace_back();
+      for (const Edge& edge : loop->Edges)
+      {
+        polygons.back().push_back(CrossingAt(mesh, this->Frame, edge, cap.Height));
+      }
+    }
+    return polygons;
   }
 
   /**
@@ -172,7 +311,7 @@ private:
     std::map<Edge, std::vector<std::size_t>> crossed; // an edge: its discs, the lowest first
     for (std::size_t d = 0; d < this->Discs.size(); ++d)
     {
-      for (const Edge& edge : this->Discs[d].Edges)
+      for (const Edge& edge : this->Discs[d].Loop.Edges)
       {
         crossed[edge].push_back(d);
       }
@@ -207,7 +346,12 @@ private:
       order[d] = d;
     }
     std::stable_sort(order.begin(), order.end(),
-      [&](std::size_t a, std::size_t b) { return this->Discs[a].Area > this->Discs[b].Area; });
+      [&](std::size_t a, std::size_t b)
+      {
+        const bool isRing = !this->Discs[a].Inside.empty();
+        const bool isOther = !this->Discs[b].Inside.empty();
+        return isRing != isOther ? isOther : this->Discs[a].Area > this->Discs[b].Area;
+      });
     std::vector<std::size_t> free;
     for (const std::size_t d : order)
     {
@@ -245,21 +389,16 @@ private:
     this->Result.PartOf.push_back(partOf);
   }
 
-  /// A triangle without what lies between the two heights of each disc that it crosses.
+  /// A triangle without what lies between the two heights of each loop that crosses it.
   void AddParts(const TriangleMesh& before, int t)
   {
-    const auto crossed = this->DiscsOfTriangle.find(t);
-    if (crossed == this->DiscsOfTriangle.end())
+    const auto crossed = this->CutsOfTriangle.find(t);
+    if (crossed == this->CutsOfTriangle.end())
     {
       this->Add(before.Triangles[t], t);
       return;
     }
-    std::vector<double> cuts; // low and high, from below
-    for (const std::size_t d : crossed->second)
-    {
-      cuts.push_back(this->Discs[d].Low);
-      cuts.push_back(this->Discs[d].High);
-    }
+    std::vector<double>& cuts = crossed->second; // low and high, from below
     std::sort(cuts.begin(), cuts.end());
     // Once around the triangle: corners, and the points at which cuts cross its edges, each with the
     // number of cuts below it; parts are those between an even and the next odd number of cuts.
@@ -294,42 +433,128 @@ private:
     }
   }
 
-  /// Below, the rim of what is left runs along the disc's edges, above against them; a cap runs the other
+  /// Below, the rim of what is left runs along a loop's edges, above against them; a cap runs the other
   /// way.
-  void AddCap(const TriangleMesh& before, const SectionDisc& disc, bool above)
+  void AddCap(const TriangleMesh& before, const Cap& cap)
   {
-    const double height = above ? disc.High : disc.Low;
     std::vector<int> rim;
-    std::vector<Point2> corners;
-    for (const Edge& edge : disc.Edges)
+    for (const SectionLoop* loop : cap.Loops)
     {
-      rim.push_back(this->PointAt(before, edge, height));
-      corners.push_back(CrossingAt(before, this->Frame, edge, height));
+      for (const Edge& edge : loop->Edges)
+      {
+        rim.push_back(this->PointAt(before, edge, cap.Height));
+      }
     }
-    const bool runsCounterclockwise = SignedAreaOf(corners) > 0;
-    const auto cap = TrianglesOf(corners); // there is one, else the disc would not be here
-    for (const Triangle& triangle : *cap)
+    const std::vector<Polygon> corners = this->CornersOf(before, cap);
+    const bool runsCounterclockwise = SignedAreaOf(corners[0]) > 0;
+    const auto triangles = TrianglesOf(corners); // there are some, else the disc was not chosen
+    for (const Triangle& triangle : *triangles)
     {
       const int a = rim[static_cast<std::size_t>(triangle[0])];
       const int b = rim[static_cast<std::size_t>(triangle[1])];
       const int c = rim[static_cast<std::size_t>(triangle[2])];
-      this->Add(runsCounterclockwise == above ? Triangle{ { a, b, c } } : Triangle{ { a, c, b } },
-        disc.Triangles[0]);
+      this->Add(
+        runsCounterclockwise == cap.Above ? Triangle{ { a, b, c } } : Triangle{ { a, c, b } },
+        cap.Loops[0]->Triangles[0]);
     }
   }
 
   TriangleMesh& Mesh;
   const PlanarFrame& Frame;
+  const Vector3& Normal; ///< of the levels
   std::vector<SectionDisc> Discs;
-  std::map<int, std::vector<std::size_t>> DiscsOfTriangle;
+  std::map<int, std::vector<double>> CutsOfTriangle;
   std::map<std::pair<Edge, double>, int> NewPoints;
   SectionCuts Result;
 };
+
+/// How far the points of a mesh reach along the levels.
+double ExtentOf(const TriangleMesh& mesh, const PlanarFrame& frame)
+{
+  std::array<double, 2> low{ { std::numeric_limits<double>::infinity(),
+    std::numeric_limits<double>::infinity() } };
+  std::array<double, 2> high{ { -low[0], -low[1] } };
+  for (const Point3& point : mesh.Points)
+  {
+    const Point2 p = frame.ToPlane(point);
+    for (std::size_t k = 0; k < 2; ++k)
+    {
+      low[k] = std::min(low[k], p[k]);
+      high[k] = std::max(high[k], p[k]);
+    }
+  }
+  return std::hypot(high[0] - low[0], high[1] - low[1]);
+}
+
+/// A frame of planes that rise in the direction of that number, by so much a unit.
+PlanarFrame Tilted(const PlanarFrame& frame, int direction, double slope)
+{
+  const double angle = direction * GoldenAngle;
+  const Vector3 normal =
+    frame.Normal - (slope * std::cos(angle)) * frame.U - (slope * std::sin(angle)) * frame.V;
+  return PlanarFrame::About((1 / Norm(normal)) * normal);
+}
+
+/// What is looked at, one after the other, until there are discs enough.
+std::vector<SectionPlanes> PlanesToTry(
+  const TriangleMesh& mesh, const PlanarFrame& frame, const std::vector<double>& offsets)
+{
+  std::vector<SectionPlanes> planes{ { frame, SectionPlanes::Even, false },
+    { frame, SectionPlanes::Critical, false } };
+  double thinnest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i < offsets.size(); ++i)
+  {
+    thinnest = std::min(thinnest, offsets[i] - offsets[i - 1]);
+  }
+  const double slope = RiseAcross * thinnest / ExtentOf(mesh, frame);
+  for (int direction = 0; direction < TiltDirections; ++direction)
+  {
+    planes.push_back({ Tilted(frame, direction, slope), SectionPlanes::Critical, false });
+  }
+  return planes;
+}
 }
 
 SectionCuts CutHandles(TriangleMesh& mesh, const PlanarFrame& frame,
   const std::vector<double>& offsets, int handles, Monitor& monitor)
 {
-  return Cutter(mesh, frame, offsets).Cut(handles, monitor);
+  SectionCuts all;
+  for (std::size_t t = 0; t < mesh.Triangles.size(); ++t)
+  {
+    all.PartOf.push_back(static_cast<int>(t));
+  }
+  if (offsets.size() < 2)
+  {
+    return all;
+  }
+  const auto cut = [&](const SectionPlanes& along, int most, Monitor& progress)
+  {
+    const SectionCuts cuts = Cutter(mesh, along, frame.Normal, offsets, progress).Cut(most);
+    all.Cuts.insert(all.Cuts.end(), cuts.Cuts.begin(), cuts.Cuts.end());
+    std::vector<int> partOf;
+    for (const int part : cuts.PartOf)
+    {
+      partOf.push_back(all.PartOf[static_cast<std::size_t>(part)]);
+    }
+    all.PartOf = std::move(partOf);
+    return static_cast<int>(cuts.Cuts.size());
+  };
+  const std::vector<SectionPlanes> planes = PlanesToTry(mesh, frame, offsets);
+  int left = std::max(0, handles);
+  for (std::size_t i = 0; i < planes.size() && left > 0; ++i)
+  {
+    SubMonitor progress(monitor, static_cast<double>(i) / static_cast<double>(planes.size()),
+      static_cast<double>(i + 1) / static_cast<double>(planes.size()));
+    left -= cut(planes[i], left, progress);
+    SectionPlanes rings = planes[i];
+    rings.WithRings = rings.Spacing == SectionPlanes::Critical;
+    // One at a time, as each changes what hangs on the others; each takes a handle, so this ends.
+    for (int made = 1; made > 0 && left > 0 && rings.WithRings; left -= made)
+    {
+      AbortMonitor stop(progress);
+      made = cut(rings, 1, stop);
+    }
+  }
+  return all;
 }
 }

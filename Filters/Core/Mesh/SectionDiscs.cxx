@@ -12,8 +12,11 @@ namespace recon
 {
 namespace
 {
-/// Planes of a slab: one in each such part of it, so that handles near the levels are seen, too.
-constexpr int Planes = 8;
+/// Even planes of a slab: one in each such part of it, so that handles near the levels are seen, too.
+constexpr int EvenPlanes = 8;
+
+/// Critical planes of a slab at most, those with most room; a cortex has some hundred.
+constexpr std::size_t MostCriticalPlanes = 2000;
 
 /// Of the slab: a gap between the heights of points must be wider, so that a cut has room in it and
 /// rounding none.
@@ -47,49 +50,50 @@ bool IsWithin(const Point2& p, const Polygon& polygon)
   return within;
 }
 
+/// A plane may lie anywhere between the two.
+using Gap = std::pair<double, double>;
+
+double WidthOf(const Gap& gap)
+{
+  return gap.second - gap.first;
+}
+
 class DiscFinder
 {
 public:
-  DiscFinder(const TriangleMesh& mesh, const PlanarFrame& frame, const std::vector<double>& offsets)
+  DiscFinder(const TriangleMesh& mesh, const SectionPlanes& planes, const Vector3& normal,
+    const std::vector<double>& offsets)
     : Mesh(mesh),
-      Frame(frame),
+      Planes(planes),
       Offsets(offsets)
   {
+    for (const Point3& p : mesh.Points)
+    {
+      this->Heights.push_back(Dot(planes.Frame.Normal, p));
+      this->LevelHeights.push_back(Dot(normal, p));
+    }
   }
 
-  std::vector<SectionDisc> Find()
+  std::vector<SectionDisc> Find(Monitor& monitor)
   {
-    const std::size_t slabs = this->Offsets.size() - 1;
-    std::vector<std::vector<double>> heights(slabs);
-    std::vector<std::vector<int>> triangles(slabs);
-    for (const Point3& p : this->Mesh.Points)
+    if (this->Planes.Spacing == SectionPlanes::Critical)
     {
-      this->Heights.push_back(Dot(this->Frame.Normal, p));
-      if (const int slab = this->SlabAt(this->Heights.back()); slab >= 0)
-      {
-        heights[slab].push_back(this->Heights.back());
-      }
+      this->FindCriticalPoints();
     }
-    for (std::size_t t = 0; t < this->Mesh.Triangles.size(); ++t)
+    const std::vector<std::vector<int>> triangles = this->TrianglesBySlab();
+    for (std::size_t slab = 0; slab + 1 < this->Offsets.size(); ++slab)
     {
-      double middle = 0;
-      for (const int p : this->Mesh.Triangles[t])
+      monitor.Update(
+        static_cast<double>(slab) / static_cast<double>(this->Offsets.size()), "cutting handles");
+      const std::vector<Gap> gaps = this->Planes.Spacing == SectionPlanes::Even
+        ? this->EvenGaps(slab)
+        : this->CriticalGaps(slab, triangles[slab]);
+      for (const Gap& gap : gaps)
       {
-        middle += this->Heights[p] / 3;
-      }
-      if (const int slab = this->SlabAt(middle); slab >= 0)
-      {
-        triangles[slab].push_back(static_cast<int>(t));
-      }
-    }
-    for (std::size_t slab = 0; slab < slabs; ++slab)
-    {
-      std::sort(heights[slab].begin(), heights[slab].end());
-      for (int plane = 0; plane < Planes; ++plane)
-      {
-        if (const auto gap = this->WidestGap(slab, heights[slab], plane))
+        const double third = WidthOf(gap) / 3;
+        if (third > LeastGap * this->ThicknessOf(slab))
         {
-          this->AddDiscs(static_cast<int>(slab), gap->first, gap->second, triangles[slab]);
+          this->AddDiscs(slab, gap.first + third, gap.second - third, triangles[slab]);
         }
       }
     }
@@ -97,26 +101,73 @@ public:
   }
 
 private:
-  int SlabAt(double height) const
+  double ThicknessOf(std::size_t slab) const
   {
-    const auto above = std::upper_bound(this->Offsets.begin(), this->Offsets.end(), height);
-    return above == this->Offsets.begin() || above == this->Offsets.end()
-      ? -1
-      : static_cast<int>(above - this->Offsets.begin()) - 1;
+    return this->Offsets[slab + 1] - this->Offsets[slab];
   }
 
-  /// Between heights of points, as far as it lies in that part of the slab.
-  std::optional<std::pair<double, double>> WidestGap(
-    std::size_t slab, const std::vector<double>& heights, int plane) const
+  /// Up to rounding.
+  bool IsAtLevel(int point, std::size_t slab) const
   {
-    const double thickness = this->Offsets[slab + 1] - this->Offsets[slab];
-    const double from = this->Offsets[slab] + plane * thickness / Planes;
-    const double to = this->Offsets[slab] + (plane + 1) * thickness / Planes;
+    const double margin = LeastGap * this->ThicknessOf(slab);
+    return std::min(std::abs(this->LevelHeights[point] - this->Offsets[slab]),
+             std::abs(this->LevelHeights[point] - this->Offsets[slab + 1])) < margin;
+  }
+
+  bool IsWithinSlab(int point, std::size_t slab) const
+  {
+    return (this->LevelHeights[point] > this->Offsets[slab] &&
+             this->LevelHeights[point] < this->Offsets[slab + 1]) ||
+      this->IsAtLevel(point, slab);
+  }
+
+  /// All that lie in a slab, or reach into it.
+  std::vector<std::vector<int>> TrianglesBySlab() const
+  {
+    std::vector<std::vector<int>> triangles(this->Offsets.size() - 1);
+    for (std::size_t t = 0; t < this->Mesh.Triangles.size(); ++t)
+    {
+      const auto& c = this->Mesh.Triangles[t];
+      const auto [low, high] = std::minmax(
+        { this->LevelHeights[c[0]], this->LevelHeights[c[1]], this->LevelHeights[c[2]] });
+      const auto above = std::upper_bound(this->Offsets.begin(), this->Offsets.end(), low);
+      for (auto slab = static_cast<std::size_t>(above - this->Offsets.begin());
+           slab < this->Offsets.size() && (slab == 0 || this->Offsets[slab - 1] < high); ++slab)
+      {
+        if (slab > 0)
+        {
+          triangles[slab - 1].push_back(static_cast<int>(t));
+        }
+      }
+    }
+    return triangles;
+  }
+
+  /// The widest gap between heights of points, as far as it lies in each part of the slab.
+  std::vector<Gap> EvenGaps(std::size_t slab)
+  {
+    if (this->SortedHeights.empty())
+    {
+      this->SortedHeights = this->Heights;
+      std::sort(this->SortedHeights.begin(), this->SortedHeights.end());
+    }
+    std::vector<Gap> gaps;
+    for (int plane = 0; plane < EvenPlanes; ++plane)
+    {
+      const double from = this->Offsets[slab] + plane * this->ThicknessOf(slab) / EvenPlanes;
+      const double to = this->Offsets[slab] + (plane + 1) * this->ThicknessOf(slab) / EvenPlanes;
+      gaps.push_back(WidestGap(this->SortedHeights, from, to));
+    }
+    return gaps;
+  }
+
+  static Gap WidestGap(const std::vector<double>& heights, double from, double to)
+  {
     double low = from;
-    std::pair<double, double> widest{ from, from };
+    Gap widest{ from, from };
     const auto close = [&](double high)
     {
-      if (high - low > widest.second - widest.first)
+      if (high - low > WidthOf(widest))
       {
         widest = { low, high };
       }
@@ -128,10 +179,71 @@ private:
       close(*h);
     }
     close(to);
-    const double third = (widest.second - widest.first) / 3;
-    return third > LeastGap * thickness
-      ? std::make_optional(std::make_pair(widest.first + third, widest.second - third))
-      : std::nullopt;
+    return widest;
+  }
+
+  /// A point is regular where its neighbours below are one row, and those above.
+  void FindCriticalPoints()
+  {
+    std::vector<int> changes(this->Mesh.Points.size(), 0);
+    this->IsCritical.assign(this->Mesh.Points.size(), 0);
+    for (const auto& corners : this->Mesh.Triangles)
+    {
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        const double own = this->Heights[corners[k]];
+        const double next = this->Heights[corners[(k + 1) % 3]];
+        const double last = this->Heights[corners[(k + 2) % 3]];
+        changes[corners[k]] += (next < own) != (last < own) ? 1 : 0;
+        this->IsCritical[corners[k]] |= next == own || last == own ? 1 : 0;
+      }
+    }
+    for (std::size_t p = 0; p < changes.size(); ++p)
+    {
+      this->IsCritical[p] |= changes[p] != 2 ? 1 : 0;
+    }
+  }
+
+  /// Between every two critical heights the widest gap between heights of points.
+  std::vector<Gap> CriticalGaps(std::size_t slab, const std::vector<int>& triangles) const
+  {
+    std::vector<double> heights;
+    std::vector<double> critical;
+    for (const int t : triangles)
+    {
+      for (const int p : this->Mesh.Triangles[t])
+      {
+        heights.push_back(this->Heights[p]);
+        if (this->IsCritical[p] != 0 || this->IsAtLevel(p, slab))
+        {
+          critical.push_back(this->Heights[p]);
+        }
+      }
+    }
+    std::sort(heights.begin(), heights.end());
+    std::sort(critical.begin(), critical.end());
+    std::vector<Gap> gaps;
+    for (std::size_t i = 1; i < critical.size(); ++i)
+    {
+      if (critical[i] > critical[i - 1])
+      {
+        gaps.push_back(WidestGap(heights, critical[i - 1], critical[i]));
+      }
+    }
+    return WidestOf(std::move(gaps));
+  }
+
+  /// As many as may be looked at, from below.
+  static std::vector<Gap> WidestOf(std::vector<Gap> gaps)
+  {
+    if (gaps.size() > MostCriticalPlanes)
+    {
+      std::stable_sort(gaps.begin(), gaps.end(),
+        [](const Gap& a, const Gap& b) { return WidthOf(a) > WidthOf(b); });
+      gaps.resize(MostCriticalPlanes);
+      std::sort(gaps.begin(), gaps.end());
+    }
+    return gaps;
   }
 
   Edge Ordered(int a, int b) const
@@ -164,10 +276,8 @@ private:
     return crosses ? std::make_optional(rim) : std::nullopt;
   }
 
-  struct Loop
+  struct Loop : SectionLoop
   {
-    std::vector<Edge> Edges;
-    std::vector<int> Triangles;
     Polygon Corners;
   };
 
@@ -199,54 +309,100 @@ private:
         end = step->second.To;
         loop.Edges.push_back(step->first);
         loop.Triangles.push_back(step->second.Triangle);
-        loop.Corners.push_back(CrossingAt(this->Mesh, this->Frame, step->first, height));
+        loop.Corners.push_back(CrossingAt(this->Mesh, this->Planes.Frame, step->first, height));
         step->second.Triangle = -1;
       }
       if (loop.Edges.empty())
       {
         continue; // been here
       }
-      if (end != start)
+      if (end == start) // else it leaves the slab, so it lies in no disc of it
       {
-        return {}; // a triangle reaches beyond the level, so nesting could not be told
+        loops.push_back(std::move(loop));
       }
-      loops.push_back(std::move(loop));
     }
     return loops;
   }
 
-  void AddDiscs(int slab, double low, double high, const std::vector<int>& triangles)
+  /// Not where it reaches beyond the slab, nor across what is drawn.
+  bool IsOfSlab(const Loop& loop, std::size_t slab) const
+  {
+    return std::none_of(loop.Edges.begin(), loop.Edges.end(),
+      [&](const Edge& edge)
+      {
+        return !this->IsWithinSlab(edge[0], slab) || !this->IsWithinSlab(edge[1], slab) ||
+          (this->IsAtLevel(edge[0], slab) && this->IsAtLevel(edge[1], slab) &&
+            std::abs(this->LevelHeights[edge[0]] - this->LevelHeights[edge[1]]) <
+              this->ThicknessOf(slab) / 2);
+      });
+  }
+
+  /// Numbers of the loops that lie within a loop.
+  static std::vector<std::size_t> Within(const std::vector<Loop>& loops, std::size_t i)
+  {
+    std::vector<std::size_t> within;
+    for (std::size_t j = 0; j < loops.size(); ++j)
+    {
+      if (j != i && IsWithin(loops[j].Corners[0], loops[i].Corners))
+      {
+        within.push_back(j);
+      }
+    }
+    return within;
+  }
+
+  void AddDiscs(std::size_t slab, double low, double high, const std::vector<int>& triangles)
   {
     const std::vector<Loop> loops = this->LoopsAt((low + high) / 2, triangles);
+    std::vector<std::vector<std::size_t>> within;
     for (std::size_t i = 0; i < loops.size(); ++i)
     {
-      int around = 0;
-      int inside = 0;
-      for (std::size_t j = 0; j < loops.size(); ++j)
+      within.push_back(Within(loops, i));
+    }
+    for (std::size_t i = 0; i < loops.size(); ++i)
+    {
+      const bool isDisc = within[i].empty() ||
+        (this->Planes.WithRings &&
+          std::all_of(within[i].begin(), within[i].end(),
+            [&](std::size_t inner) { return within[inner].empty(); }));
+      if (isDisc && this->IsOfSlab(loops[i], slab))
       {
-        around += i != j && IsWithin(loops[i].Corners[0], loops[j].Corners) ? 1 : 0;
-        inside += i != j && IsWithin(loops[j].Corners[0], loops[i].Corners) ? 1 : 0;
-      }
-      if (inside == 0)
-      {
-        this->Discs.push_back({ slab, low, high, std::abs(SignedAreaOf(loops[i].Corners)),
-          around % 2 == 0, loops[i].Edges, loops[i].Triangles });
+        const double area = SignedAreaOf(loops[i].Corners);
+        // Parts of triangles below run clockwise around solid.
+        this->Discs.push_back(
+          { static_cast<int>(slab), low, high, std::abs(area), area < 0, loops[i], {} });
+        for (const std::size_t inner : within[i])
+        {
+          this->Discs.back().Inside.push_back(loops[inner]);
+        }
       }
     }
   }
 
   const TriangleMesh& Mesh;
-  const PlanarFrame& Frame;
+  const SectionPlanes& Planes;
   const std::vector<double>& Offsets;
-  std::vector<double> Heights; ///< of the points
+  std::vector<double> Heights;       ///< of the points, above the planes
+  std::vector<double> LevelHeights;  ///< of the points, along the levels' normal
+  std::vector<double> SortedHeights; ///< for even planes
+  std::vector<char> IsCritical;      ///< a point, for critical planes
   std::vector<SectionDisc> Discs;
 };
+}
+
+std::vector<SectionDisc> FindSectionDiscs(const TriangleMesh& mesh, const SectionPlanes& planes,
+  const Vector3& normal, const std::vector<double>& offsets, Monitor& monitor)
+{
+  return offsets.size() < 2 ? std::vector<SectionDisc>()
+                            : DiscFinder(mesh, planes, normal, offsets).Find(monitor);
 }
 
 std::vector<SectionDisc> FindSectionDiscs(
   const TriangleMesh& mesh, const PlanarFrame& frame, const std::vector<double>& offsets)
 {
-  return offsets.size() < 2 ? std::vector<SectionDisc>() : DiscFinder(mesh, frame, offsets).Find();
+  Monitor monitor;
+  return FindSectionDiscs(
+    mesh, { frame, SectionPlanes::Even, false }, frame.Normal, offsets, monitor);
 }
 
 Point2 CrossingAt(

@@ -46,7 +46,7 @@ ContourJoin RowOf(const ContourSet& contours, const ContractDecision& decision)
   row.Rule = ContourJoin::ByContract;
   row.Words = "Between contours " + named(decision.Lower) + " and " + named(decision.Upper) +
     (decision.Kind == ContractDecision::Cut ? " the solid is parted" : " a hole is filled") +
-    " halfway, at a place of area " + Text(decision.Cost) +
+    " between the two levels, at a place of area " + Text(decision.Cost) +
     ", because the expected handles ask for it.";
   return row;
 }

@@ -283,7 +283,7 @@ std::string WhyNotMet(const PolyhedralOptions& options, const Excess& left, bool
   {
     return "nothing is left that could be parted.";
   }
-  return left.Handles > 0 ? "no section between two levels cuts through the others."
+  return left.Handles > 0 ? "no section that was tried between two levels cuts through the others."
                           : "nothing is left that could be joined in a second place.";
 }
 }

@@ -155,7 +155,7 @@ def polyhedral_surface(contours: ContoursLike, *, Mapping: Choice = "Overlap", O
         How many pieces (closed sheets; the wall of a cavity is one) the surface has, where that is known; -1: as the
         contours show. The cheapest joins are made or parted for it; the report says which, and what cannot be met.
     ExpectedHandles : int, default: -1
-        How many handles all pieces have together; those too many are parted or filled halfway between two levels.
+        How many handles all pieces have together; those too many are parted or filled between two levels.
     AlignLevels : {"Automatic", "Off", "On"}
         Whether levels of oblique shapes are shifted onto one another before they are joined, and the surface back.
     PinchGap : float, default: 0.001

@@ -75,6 +75,65 @@ TEST(SectionCuts, AScaffoldLosesAllItsHandles)
   ExpectCut(sponge, { 0, 0, 1 }, { 0, 1, 2, 3, 4, 5 }, handles, 0);
 }
 
+TEST(SectionCuts, AThinHandleBetweenTwoHeightsIsFound)
+{
+  // The tube's hole is lower than an eighth of the slab, and between the middles of two of those.
+  ExpectCut(MakeTorus(2, 0.05), { 0, 0, 1 }, { -0.85, 1.05 }, 1, 0);
+}
+
+namespace
+{
+/// Two bars between two plates; each has a hole through its middle, closed at the one plate.
+TriangleMesh MakeHollowBars(bool opensAbove)
+{
+  return MakeFromCells({ 8, 3, 3 },
+    [=](int x, int y, int z)
+    {
+      const bool isBar = x < 3 || x > 4;
+      const bool isMiddle = (x == 1 || x == 6) && y == 1;
+      return isMiddle ? z == (opensAbove ? 0 : 2) : z != 1 || isBar;
+    });
+}
+}
+
+TEST(SectionCuts, ARingIsPartedWithWhatHangsInIt)
+{
+  for (const bool opensAbove : { true, false })
+  {
+    const SectionCuts cuts = ExpectCut(MakeHollowBars(opensAbove), { 0, 0, 1 }, { 1, 2 }, 1, 0);
+    ASSERT_EQ(cuts.Cuts.size(), 1U);
+    EXPECT_TRUE(cuts.Cuts[0].Solid);
+  }
+}
+
+TEST(SectionCuts, AHoleIsFilledAroundWhatStandsInIt)
+{
+  // A frame on a plate with a hole, in which a pillar hangs from a bar across the frame.
+  for (const int foot : { 0, 1 })
+  {
+    const TriangleMesh mesh = MakeFromCells({ 5, 5, 3 },
+      [=](int x, int y, int z)
+      {
+        const bool isFrame = x == 0 || y == 0 || x == 4 || y == 4;
+        const bool isPillar = x == 2 && y == 2;
+        return isFrame || (isPillar && z >= foot) || (y == 2 && z == 2);
+      });
+    const int handles = CountPiecesAndHandles(mesh).Handles;
+    ASSERT_EQ(handles, 2);
+    ExpectCut(mesh, { 0, 0, 1 }, { 1, 2 }, 1, 1);
+  }
+}
+
+TEST(SectionCuts, AHandleAllAtOneHeightIsCutByATiltedPlane)
+{
+  // Two bars across two others: each section along the levels is of two bars, and parts their ends.
+  const TriangleMesh pile = MakeFromCells(
+    { 5, 5, 2 }, [](int x, int y, int z) { return z == 0 ? x == 1 || x == 3 : y == 1 || y == 3; });
+  ASSERT_EQ(CountPiecesAndHandles(pile).Handles, 1);
+  ExpectCut(pile, { 0, 0, 1 }, { -0.5, 2.5 }, 1, 0);
+  ExpectCut(pile, { 0, 0, 1 }, { 0, 1, 2 }, 1, 1); // drawn on three levels, it is left as it is
+}
+
 TEST(SectionCuts, WhatHasNoHandleStays)
 {
   ExpectCut(MakeCube(), { 0, 0, 1 }, { 0, 1 }, 3, 0);
