@@ -30,6 +30,13 @@ private:
   double Lost = 0;
 };
 
+/// As if the corners were seen from the middle of the solid.
+double VolumeBelow(const Vector3& a, const Vector3& ab, const Vector3& bc)
+{
+  // a . (b x c), the edges taken relative to a: smaller numbers, smaller errors.
+  return Dot(a, Cross(ab, bc)) / 6;
+}
+
 struct Sums
 {
   Box3 Bounds;
@@ -58,8 +65,7 @@ void AddTriangle(const TriangleMesh& mesh, const std::array<int, 3>& triangle, S
   const Vector3 ca = a - c;
   const double doubledArea = Norm(Cross(ab, bc));
   sums.Area.Add(doubledArea / 2);
-  // a . (b x c), the edges taken relative to a: smaller numbers, smaller errors.
-  const double volume = Dot(a, Cross(ab, bc)) / 6;
+  const double volume = VolumeBelow(a, ab, bc);
   sums.Volume.Add(volume);
   for (int k = 0; k < 3; ++k)
   {
@@ -69,9 +75,19 @@ void AddTriangle(const TriangleMesh& mesh, const std::array<int, 3>& triangle, S
     std::max(sums.LargestCotangent, CotangentOfSmallestAngle(ab, bc, ca, doubledArea));
 }
 
+/// What ComputeSignedVolumes asks for, and no more.
+void AddVolume(const TriangleMesh& mesh, const std::array<int, 3>& triangle, Sums& sums)
+{
+  const Vector3 a = mesh.Points[triangle[0]] - sums.Middle;
+  const Vector3 b = mesh.Points[triangle[1]] - sums.Middle;
+  const Vector3 c = mesh.Points[triangle[2]] - sums.Middle;
+  sums.Volume.Add(VolumeBelow(a, b - a, c - b));
+}
+
 /// Sums of each component and last, of the triangles of none.
-std::vector<Sums> AddUp(
-  const TriangleMesh& mesh, const std::vector<int>& componentOfTriangle, int count)
+template <typename Adder>
+std::vector<Sums> AddUp(const TriangleMesh& mesh, const std::vector<int>& componentOfTriangle,
+  int count, const Adder& add)
 {
   std::vector<Sums> sums(count + 1);
   const auto of = [&](std::size_t t) -> Sums&
@@ -86,7 +102,7 @@ std::vector<Sums> AddUp(
   }
   for (std::size_t t = 0; t < mesh.Triangles.size(); ++t)
   {
-    AddTriangle(mesh, mesh.Triangles[t], of(t));
+    add(mesh, mesh.Triangles[t], of(t));
   }
   return sums;
 }
@@ -185,7 +201,7 @@ std::vector<double> ComputeSignedVolumes(
   const TriangleMesh& mesh, const std::vector<int>& componentOfTriangle, int count)
 {
   std::vector<double> volumes;
-  const auto sums = AddUp(mesh, componentOfTriangle, count);
+  const auto sums = AddUp(mesh, componentOfTriangle, count, AddVolume);
   for (int c = 0; c < count; ++c)
   {
     volumes.push_back(sums[c].Volume.Value());
@@ -197,7 +213,7 @@ std::vector<MassFigures> ComputeMassProperties(const TriangleMesh& mesh,
   const std::vector<int>& componentOfTriangle, const std::vector<bool>& encloses)
 {
   const int count = static_cast<int>(encloses.size());
-  const auto sums = AddUp(mesh, componentOfTriangle, count);
+  const auto sums = AddUp(mesh, componentOfTriangle, count, AddTriangle);
   std::vector<MassFigures> figures;
   for (int c = 0; c < count; ++c)
   {

@@ -283,7 +283,12 @@ private:
   void MoveWithoutCrossing()
   {
     this->FindWhereTheyMayGo();
-    const TriangleTree tree(this->Mesh, this->BoxesOfTrials);
+    std::vector<int> ofFans;
+    for (const std::vector<int>& fan : this->Fans)
+    {
+      ofFans.insert(ofFans.end(), fan.begin(), fan.end());
+    }
+    const TriangleTree tree(this->Mesh, this->BoxesOfTrials, ofFans);
     this->MoveOf.assign(this->Mesh.Points.size(), -1);
     this->Make(0, tree);
     // Where one point found no way, the one that stayed may find one instead of it.
@@ -311,6 +316,7 @@ private:
     this->Reach.assign(this->Mesh.Triangles.size(), 0);
     this->Neighbours.resize(this->Mesh.Triangles.size());
     this->IsAsked.assign(this->Mesh.Triangles.size(), 0);
+    this->BoxesOfTrials.reserve(this->Mesh.Triangles.size());
     for (std::size_t t = 0; t < this->Mesh.Triangles.size(); ++t)
     {
       this->BoxesOfTrials.push_back(BoxOf(this->Mesh, static_cast<int>(t)));

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace recon
 {
@@ -63,11 +64,39 @@ TriangleTree::TriangleTree(const TriangleMesh& mesh) : TriangleTree(mesh, BoxesO
 
 TriangleTree::TriangleTree(const TriangleMesh& mesh, const std::vector<Box3>& boxes) : Mesh(mesh)
 {
-  this->SortTriangles();
+  std::vector<int> all(mesh.Triangles.size());
+  std::iota(all.begin(), all.end(), 0);
+  this->Build(all, boxes);
+}
+
+TriangleTree::TriangleTree(
+  const TriangleMesh& mesh, const std::vector<Box3>& boxes, std::vector<int> near)
+  : Mesh(mesh)
+{
+  std::sort(near.begin(), near.end());
+  near.erase(std::unique(near.begin(), near.end()), near.end());
+  this->Build(near, boxes);
+  std::vector<int> meeting;
+  for (std::size_t t = 0; t < boxes.size(); ++t)
+  {
+    if (this->AnyMeeting(boxes[t], [](int) { return true; }))
+    {
+      meeting.push_back(static_cast<int>(t));
+    }
+  }
+  this->Build(meeting, boxes);
+}
+
+void TriangleTree::Build(const std::vector<int>& triangles, const std::vector<Box3>& boxes)
+{
+  this->Order = {};
+  this->TriangleBoxes = {};
+  this->FirstLeaf = 1;
+  this->SortTriangles(triangles);
   this->BuildBoxes(boxes);
 }
 
-void TriangleTree::SortTriangles()
+void TriangleTree::SortTriangles(const std::vector<int>& triangles)
 {
   const auto middleOf = [this](const std::array<int, 3>& t)
   {
@@ -75,22 +104,22 @@ void TriangleTree::SortTriangles()
     return (1.0 / 3) * points[t[0]] + ((1.0 / 3) * points[t[1]] + (1.0 / 3) * points[t[2]]);
   };
   Box3 bounds;
-  for (const auto& t : this->Mesh.Triangles)
+  for (const int t : triangles)
   {
-    bounds.Add(middleOf(t));
+    bounds.Add(middleOf(this->Mesh.Triangles[t]));
   }
   const double size = bounds.LongestExtent();
   const double scale = size > 0 ? 2097151.0 / size : 0;
-  std::vector<std::pair<std::uint64_t, int>> codes(this->Mesh.Triangles.size());
-  for (std::size_t t = 0; t < codes.size(); ++t)
+  std::vector<std::pair<std::uint64_t, int>> codes(triangles.size());
+  for (std::size_t i = 0; i < codes.size(); ++i)
   {
-    const Point3 middle = middleOf(this->Mesh.Triangles[t]);
+    const Point3 middle = middleOf(this->Mesh.Triangles[triangles[i]]);
     std::uint64_t code = 0;
     for (int k = 0; k < 3; ++k)
     {
       code |= SpreadBits(static_cast<std::uint64_t>((middle[k] - bounds.Low[k]) * scale)) << k;
     }
-    codes[t] = { code, static_cast<int>(t) };
+    codes[i] = { code, triangles[i] };
   }
   std::sort(codes.begin(), codes.end());
   this->Order.reserve(codes.size());

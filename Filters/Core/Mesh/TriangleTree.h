@@ -37,6 +37,9 @@ public:
   /// By boxes that are larger than the triangles, one each: around wherever they may be moved.
   TriangleTree(const TriangleMesh& mesh, const std::vector<Box3>& boxes);
 
+  /// The same, of the few triangles only whose boxes meet that of one of these, itself among them.
+  TriangleTree(const TriangleMesh& mesh, const std::vector<Box3>& boxes, std::vector<int> near);
+
   int GetNumberOfLeaves() const { return this->NumberOfLeaves; }
 
   /**
@@ -55,7 +58,12 @@ public:
   double DistanceTo(const Point3& p, double limit) const;
 
 private:
-  void SortTriangles();
+  /// Call isEnough(i) for triangles whose box meets the given one until it says so; returns whether it did.
+  template <typename Test>
+  bool AnyMeeting(const Box3& box, const Test& isEnough) const;
+  /// Of those triangles.
+  void Build(const std::vector<int>& triangles, const std::vector<Box3>& boxes);
+  void SortTriangles(const std::vector<int>& triangles);
   void BuildBoxes(const std::vector<Box3>& boxes);
   int FirstOfLeaf(int leaf) const { return leaf * LeafSize; }
   int EndOfLeaf(int leaf) const
@@ -74,8 +82,8 @@ private:
   int FirstLeaf = 1;
 };
 
-template <typename Visitor>
-void TriangleTree::VisitMeeting(const Box3& box, const Visitor& visit) const
+template <typename Test>
+bool TriangleTree::AnyMeeting(const Box3& box, const Test& isEnough) const
 {
   int stack[64];
   int size = 0;
@@ -96,12 +104,24 @@ void TriangleTree::VisitMeeting(const Box3& box, const Visitor& visit) const
     const int leaf = n - this->FirstLeaf;
     for (int i = this->FirstOfLeaf(leaf); i < this->EndOfLeaf(leaf); ++i)
     {
-      if (this->TriangleBoxes[i].Meets(box))
+      if (this->TriangleBoxes[i].Meets(box) && isEnough(this->Order[i]))
       {
-        visit(this->Order[i]);
+        return true;
       }
     }
   }
+  return false;
+}
+
+template <typename Visitor>
+void TriangleTree::VisitMeeting(const Box3& box, const Visitor& visit) const
+{
+  this->AnyMeeting(box,
+    [&](int triangle)
+    {
+      visit(triangle);
+      return false;
+    });
 }
 
 template <typename Visitor>

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Polyhedral/LeftOut.h"
 
+#include "Base/PointHash.h"
 #include "Base/Text.h"
 #include "Polyhedral/DelaunayEdges.h"
 
 #include <algorithm>
 #include <sstream>
+#include <unordered_set>
 
 namespace recon
 {
@@ -135,10 +137,9 @@ void ReportContoursLeftOut(const ContourSet& contours, const std::vector<LevelSt
 
 std::size_t CountLeftOut(const ContourSet& contours, const TriangleMesh& mesh)
 {
-  std::vector<Point3> points = mesh.Points;
-  std::sort(points.begin(), points.end());
-  const auto isInSurface = [&](int p)
-  { return std::binary_search(points.begin(), points.end(), contours.Points[p]); };
+  const std::unordered_set<Point3, PointHash> points(
+    mesh.Points.begin(), mesh.Points.end(), 2 * mesh.Points.size());
+  const auto isInSurface = [&](int p) { return points.count(contours.Points[p]) > 0; };
   return std::count_if(contours.Contours.begin(), contours.Contours.end(),
     [&](const Contour& c) { return std::none_of(c.Points.begin(), c.Points.end(), isInSurface); });
 }

@@ -22,6 +22,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace recon
@@ -110,6 +111,9 @@ private:
 
   void CopyPoints(const SolidComplex& solid, const SolidBoundary& boundary)
   {
+    this->IsPointExact.reserve(boundary.Points.size());
+    this->Result.Mesh.Points.reserve(boundary.Points.size());
+    this->Result.PointKind.reserve(boundary.Points.size());
     for (const auto& point : boundary.Points)
     {
       const auto& vertex = solid.Vertices[point.Vertex];
@@ -150,6 +154,12 @@ private:
   {
     const std::vector<int> groups =
       FindFaceGroups(this->Contours, this->Stages, solid, boundary, pieces);
+    this->Result.Mesh.Triangles.reserve(boundary.Faces.size());
+    for (std::vector<int>* ofTriangle : { &this->Result.Slab, &this->Result.FaceKind,
+           &this->Result.MappingGroup, &this->Result.Piece })
+    {
+      ofTriangle->reserve(boundary.Faces.size());
+    }
     int leftOpen = 0;
     for (std::size_t f = 0; f < boundary.Faces.size(); ++f)
     {
@@ -301,7 +311,8 @@ private:
     }
     CrossingRepairOptions repair;
     repair.IsExact = this->IsPointExact;
-    repair.Reach = LargestNudge * MedianEdgeLength(this->Result.Mesh);
+    this->TypicalEdge = MedianEdgeLength(this->Result.Mesh);
+    repair.Reach = LargestNudge * *this->TypicalEdge;
     repair.Frame = this->Contours.Levels[0].Frame;
     repair.Threads = this->Options.Threads;
     for (int kind : this->Result.PointKind)
@@ -327,6 +338,10 @@ private:
               (repaired.Left == 1 ? "does." : "do.")
                            : std::string(", so that it does not.")));
     }
+    if (repaired.Found > 0)
+    {
+      this->TypicalEdge.reset();
+    }
     const bool mayTurn = this->PointsRound() || repaired.Found > 0;
     const std::size_t turned = mayTurn ? TurnThinPiecesOutward(this->Result.Mesh, repair.Reach) : 0;
     if (turned > 0)
@@ -343,7 +358,8 @@ private:
     {
       return;
     }
-    const double gap = this->Options.PinchGap * MedianEdgeLength(this->Result.Mesh);
+    const double gap = this->Options.PinchGap *
+      (this->TypicalEdge ? *this->TypicalEdge : MedianEdgeLength(this->Result.Mesh));
     const PinchGapResult pinches = recon::OpenPinches(
       this->Result.Mesh, gap, this->Contours.Levels[0].Frame.Normal, this->Observer);
     if (pinches.Places > 0)
@@ -387,6 +403,8 @@ private:
   Monitor& Observer;
   std::vector<char>
     IsPointExact; ///< see IsExact; points that were computed from others are not; empty: none is
+  std::optional<double>
+    TypicalEdge; ///< MedianEdgeLength of the mesh where it is known as it is now
   PolyhedralSurface Result;
 };
 

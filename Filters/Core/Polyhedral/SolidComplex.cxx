@@ -56,7 +56,7 @@ public:
   }
 
 private:
-  /// Those between the levels; the few others find room as vectors make it.
+  /// Those between the levels and those that lift; the few others find room as vectors make it.
   void ReserveCells()
   {
     std::size_t kept = 0;
@@ -65,7 +65,28 @@ private:
       kept += std::count_if(slab.Diagram.Tetrahedra.begin(), slab.Diagram.Tetrahedra.end(),
         [](const auto& t) { return t.Reason == SlabTetrahedra::Kept; });
     }
-    this->Complex.Cells.reserve(kept + kept / 8);
+    for (const LevelState& level : this->Levels)
+    {
+      kept += CountLiftedCorners(level.Triangulation, level.Lifted.Below) +
+        CountLiftedCorners(level.Triangulation, level.Lifted.Above);
+    }
+    this->Complex.Cells.reserve(kept + kept / 64);
+  }
+
+  /// Each gets a cell.
+  static std::size_t CountLiftedCorners(
+    const LevelTriangulation& level, const std::vector<double>& heights)
+  {
+    std::size_t count = 0;
+    for (std::size_t t = 0; t < level.Triangles.size() && !heights.empty(); ++t)
+    {
+      const auto& corners = level.Triangles[t];
+      count += level.Inside[t]
+        ? std::count_if(corners.begin(), corners.end(),
+            [&](std::size_t p) { return p < heights.size() && !std::isnan(heights[p]); })
+        : 0;
+    }
+    return count;
   }
 
   void AddPlanarVertices()

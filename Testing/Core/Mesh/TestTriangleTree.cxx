@@ -89,6 +89,31 @@ TEST(TriangleTree, VisitsEachPairWhoseBoxesMeetOnce)
   }
 }
 
+TEST(TriangleTree, OfSomeMeetsTheseAsTheTreeOfAllDoes)
+{
+  const TriangleMesh mesh = MakeRandomTriangles(300);
+  std::vector<Box3> boxes;
+  for (int t = 0; t < 300; ++t)
+  {
+    boxes.push_back(BoxOf(mesh, t).Grown(t % 3 == 0 ? 0.1 : 0.0));
+  }
+  for (const std::vector<int>& some :
+    { std::vector<int>(), std::vector<int>{ 17 }, std::vector<int>{ 250, 3, 3, 40, 41 } })
+  {
+    const TriangleTree all(mesh, boxes);
+    const TriangleTree few(mesh, boxes, some);
+    EXPECT_LT(few.GetNumberOfLeaves(), all.GetNumberOfLeaves());
+    for (const int t : some)
+    {
+      std::multiset<int> ofAll, ofFew;
+      all.VisitMeeting(boxes[t], [&](int other) { ofAll.insert(other); });
+      few.VisitMeeting(boxes[t], [&](int other) { ofFew.insert(other); });
+      EXPECT_EQ(ofFew, ofAll);
+      EXPECT_EQ(ofFew.count(t), 1u);
+    }
+  }
+}
+
 TEST(TriangleTree, DistanceIsThatToTheNearestTriangle)
 {
   const TriangleMesh mesh = MakeRandomTriangles(40);
