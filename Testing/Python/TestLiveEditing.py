@@ -38,6 +38,12 @@ def halved(polygons, which):
     polygons[which].insert(1, tuple((p + q) / 2 for p, q in zip(a, b)))
 
 
+def on_top(polygons):
+    rise = max(z for p in polygons for _, _, z in p) - sorted({z for p in polygons for _, _, z in p})[-2]
+    polygons.append([(x, y, z + rise) for x, y, z in polygons[-1]])
+
+
+gone = []
 polygons = [polygon(c) for c in range(contours.GetNumberOfCells())]
 middle = len(polygons) // 2
 producer = simple.TrivialProducer()
@@ -45,8 +51,9 @@ producer.GetClientSideObject().SetOutput(ct.closed_polylines(polygons))
 edited = simple.PolyhedralSurface(Input=producer)
 before = arrays(ct.data(edited))
 edits = [("a point moves", lambda: moved(polygons, middle, 0.25)), ("a point comes", lambda: halved(polygons, middle + 5)),
-         ("a contour goes", lambda: polygons.pop(middle - 9)), ("the first moves", lambda: moved(polygons, 0, 0.25)),
+         ("a contour goes", lambda: gone.append(polygons.pop(middle - 9))), ("the first moves", lambda: moved(polygons, 0, 0.25)),
          ("nothing changes", lambda: None), ("the last moves", lambda: moved(polygons, -1, 0.25)),
+         ("a contour comes back", lambda: polygons.insert(middle - 9, gone.pop())), ("a slice comes on top", lambda: on_top(polygons)),
          ("two change", lambda: (moved(polygons, 20, 0.25), moved(polygons, -20, -0.25)))]
 for what, edit in edits:
     edit()

@@ -5,7 +5,9 @@
 #include "Polyhedral/MapSlabs.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
+#include <cstring>
 #include <limits>
 #include <set>
 #include <utility>
@@ -111,16 +113,69 @@ void Shift(std::vector<int>& numbers, int by)
   }
 }
 
-void ShiftContours(LevelState& level, int by)
+void ShiftContours(LevelTriangulation& level, int by)
 {
-  Shift(level.Needles, by);
-  Shift(level.Triangulation.Region, by);
-  for (auto& contours : level.Triangulation.EdgeContour)
+  Shift(level.Region, by);
+  for (auto& contours : level.EdgeContour)
   {
     for (int& contour : contours)
     {
       contour += contour >= 0 ? by : 0;
     }
+  }
+}
+
+template <typename T>
+bool AreSameBytes(const std::vector<T>& a, const std::vector<T>& b)
+{
+  return a.size() == b.size() &&
+    (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
+}
+
+/// Numbers of contours that are the same but for that; -1 is none.
+bool AreShifted(const std::vector<int>& before, const std::vector<int>& after, int by)
+{
+  return std::equal(before.begin(), before.end(), after.begin(), after.end(),
+    [by](int b, int a) { return a == (b < 0 ? b : b + by); });
+}
+
+/// For what is made between two levels, which asks for no contour points: `by` is added to numbers of
+/// contours.
+bool IsSameTriangulation(const LevelTriangulation& before, const LevelTriangulation& after, int by)
+{
+  const auto areShifted = [by](const std::array<int, 3>& b, const std::array<int, 3>& a)
+  {
+    return std::equal(b.begin(), b.end(), a.begin(),
+      [by](int known, int now) { return now == (known < 0 ? known : known + by); });
+  };
+  return before.IsGabriel == after.IsGabriel && AreSameBytes(before.Points, after.Points) &&
+    AreSameBytes(before.Kind, after.Kind) && AreSameBytes(before.AskedBy, after.AskedBy) &&
+    AreSameBytes(before.Triangles, after.Triangles) &&
+    AreSameBytes(before.Neighbours, after.Neighbours) &&
+    AreSameBytes(before.Inside, after.Inside) &&
+    AreSameBytes(before.StarTriangle, after.StarTriangle) &&
+    AreShifted(before.Region, after.Region, by) &&
+    std::equal(before.EdgeContour.begin(), before.EdgeContour.end(), after.EdgeContour.begin(),
+      after.EdgeContour.end(), areShifted);
+}
+
+void ShiftContours(LevelState& level, std::vector<LevelTriangulation>& earlier, int by)
+{
+  Shift(level.Needles, by);
+  ShiftContours(level.Triangulation, by);
+  for (LevelTriangulation& before : earlier)
+  {
+    ShiftContours(before, by);
+  }
+}
+
+void ShiftContours(
+  SlabState& slab, std::vector<EarlierRounds::Slab>& earlier, int byLower, int byUpper)
+{
+  slab.Diagram.GapRegions = Shifted(slab.Diagram.GapRegions, byLower, byUpper);
+  for (EarlierRounds::Slab& before : earlier)
+  {
+    before.Diagram.GapRegions = Shifted(before.Diagram.GapRegions, byLower, byUpper);
   }
 }
 
@@ -169,7 +224,7 @@ const PolyhedralStages& KeptStages::Update(const ContourSet& contours,
   }
   this->HasStages = false;
   this->Stages = PolyhedralStages(); // not both at once
-  this->Stages = BuildPolyhedralStages(contours, options, monitor, progressEnd, wanted);
+  this->Stages = BuildPolyhedralStages(contours, options, monitor, progressEnd, wanted, true);
   this->Contours = contours;
   this->Options = options;
   this->Wanted = wanted;
@@ -184,6 +239,13 @@ void KeptStages::ForgetIfLarge()
   for (const SlabState& slab : this->Stages.Slabs)
   {
     tetrahedra += slab.Diagram.Tetrahedra.size();
+  }
+  for (const auto& slabs : this->Stages.Earlier.Slabs)
+  {
+    for (const EarlierRounds::Slab& slab : slabs)
+    {
+      tetrahedra += slab.Diagram.Tetrahedra.size();
+    }
   }
   if (tetrahedra > MostTetrahedra)
   {
@@ -249,6 +311,7 @@ bool KeptStages::UpdatePart(const ContourSet& contours, const PolyhedralOptions&
   SubMonitor mappingMonitor(monitor, 0, MappedAt * progressEnd);
   ContourMapping mapping = MapSlabs(
     contours, options, slabs, report, mappingMonitor, this->OverlapsWithout(changed, contours));
+  std::vector<char> isJoinedAnew(slabs.size(), 0);
   for (int i = 0; i + 1 < levels; ++i)
   {
     const SlabJoins& before = this->Stages.Slabs[i].Joins;
@@ -258,6 +321,7 @@ bool KeptStages::UpdatePart(const ContourSet& contours, const PolyhedralOptions&
       before.AllByDefault != slabs[i].Joins.AllByDefault ||
       Shifted(before.Exceptions, lower, upper) != slabs[i].Joins.Exceptions)
     {
+      isJoinedAnew[i] = 1;
       changed.Include(i);
       changed.Include(i + 1);
     }
@@ -288,6 +352,13 @@ bool KeptStages::UpdatePart(const ContourSet& contours, const PolyhedralOptions&
       joins.Joins.back().Exceptions =
         Shifted(slabs[i].Joins.Exceptions, -firstContour, -firstContour);
     }
+    joins.KnownDiagram = [&](int slab, const LevelTriangulation& lower,
+                           const LevelTriangulation& upper) -> std::optional<SlabTetrahedra>
+    {
+      const int i = window.First + slab;
+      return isJoinedAnew[i] ? std::nullopt
+                             : this->KnownDiagram(i, contours, firstContour, lower, upper);
+    };
     SubMonitor making(monitor, MappedAt * progressEnd, progressEnd);
     try
     {
@@ -327,6 +398,43 @@ bool KeptStages::UpdatePart(const ContourSet& contours, const PolyhedralOptions&
   return true;
 }
 
+/// Where levels are those of the last run, contours of a part by its own numbers.
+std::optional<SlabTetrahedra> KeptStages::KnownDiagram(int slab, const ContourSet& contours,
+  int firstContour, const LevelTriangulation& lower, const LevelTriangulation& upper) const
+{
+  const auto by = [&](int level) {
+    return FirstContourOf(contours, level) - firstContour - FirstContourOf(this->Contours, level);
+  };
+  const EarlierRounds& earlier = this->Stages.Earlier;
+  const auto isLike = [&](int level, std::size_t round, const LevelTriangulation& now)
+  {
+    const auto& before = earlier.Levels[level];
+    return IsSameTriangulation(
+      round < before.size() ? before[round] : this->Stages.Levels[level].Triangulation, now,
+      by(level));
+  };
+  const SlabTetrahedra* found = nullptr;
+  for (const EarlierRounds::Slab& before : earlier.Slabs[slab])
+  {
+    if (!found && isLike(slab, before.Lower, lower) && isLike(slab + 1, before.Upper, upper))
+    {
+      found = &before.Diagram;
+    }
+  }
+  if (!found && isLike(slab, earlier.Levels[slab].size(), lower) &&
+    isLike(slab + 1, earlier.Levels[slab + 1].size(), upper))
+  {
+    found = &this->Stages.Slabs[slab].Diagram;
+  }
+  if (!found)
+  {
+    return std::nullopt;
+  }
+  SlabTetrahedra known = *found;
+  known.GapRegions = Shifted(known.GapRegions, by(slab), by(slab + 1));
+  return known;
+}
+
 /// What was made before, by the numbers that contours and points have now.
 void KeptStages::Renumber(const ContourSet& contours)
 {
@@ -337,12 +445,11 @@ void KeptStages::Renumber(const ContourSet& contours)
     by[l] = FirstContourOf(contours, l) - FirstContourOf(this->Contours, l);
     Shift(this->Stages.Levels[l].Triangulation.Source,
       FirstPointOf(contours, l) - FirstPointOf(this->Contours, l));
-    ShiftContours(this->Stages.Levels[l], by[l]);
+    ShiftContours(this->Stages.Levels[l], this->Stages.Earlier.Levels[l], by[l]);
   }
   for (int i = 0; i + 1 < levels; ++i)
   {
-    Pairs& regions = this->Stages.Slabs[i].Diagram.GapRegions;
-    regions = Shifted(regions, by[i], by[i + 1]);
+    ShiftContours(this->Stages.Slabs[i], this->Stages.Earlier.Slabs[i], by[i], by[i + 1]);
   }
 }
 
@@ -353,14 +460,26 @@ void KeptStages::TakeOver(
   for (int l = reached.First; l < reached.End; ++l)
   {
     LevelState& level = part.Levels[l - window.First];
-    ShiftContours(level, firstContour);
+    auto& earlier = part.Earlier.Levels[l - window.First];
+    ShiftContours(level, earlier, firstContour);
     this->Stages.Levels[l] = std::move(level);
+    this->Stages.Earlier.Levels[l] = std::move(earlier);
   }
   for (int i = reached.First; i + 1 < reached.End; ++i)
   {
     SlabState& slab = part.Slabs[i - window.First];
-    slab.Diagram.GapRegions = Shifted(slab.Diagram.GapRegions, firstContour, firstContour);
+    auto& earlier = part.Earlier.Slabs[i - window.First];
+    ShiftContours(slab, earlier, firstContour, firstContour);
     this->Stages.Slabs[i] = std::move(slab);
+    this->Stages.Earlier.Slabs[i] = std::move(earlier);
+  }
+  // Earlier rounds of one level of these are those of the part.
+  for (const int i : { reached.First - 1, reached.End - 1 })
+  {
+    if (i >= 0 && i < static_cast<int>(this->Stages.Slabs.size()))
+    {
+      this->Stages.Earlier.Slabs[i].clear();
+    }
   }
 }
 }

@@ -11,6 +11,8 @@
  * one round (PolyhedralStages::Rounds) a level depends on the contours of the three levels on either side
  * of it. Each further round adds points by what was lifted, and so reaches two levels farther. A part of the
  * stack that begins and ends as far again beyond the reach of a change is made anew, and its middle taken.
+ * Where two neighbouring triangulations of that part, in any round, are those of the last run, so are the
+ * tetrahedra between them: they depend on nothing else but what is joined.
  */
 #ifndef recon_KeptStages_h
 #define recon_KeptStages_h
@@ -18,6 +20,7 @@
 #include "Contours/ContourSet.h"
 #include "Polyhedral/PolyhedralStages.h"
 
+#include <optional>
 #include <vector>
 
 namespace recon
@@ -51,6 +54,8 @@ private:
   /// @returns whether that was possible and worth it
   bool UpdatePart(const ContourSet& contours, const PolyhedralOptions& options, Monitor& monitor,
     double progressEnd, TetrahedraWanted wanted);
+  std::optional<SlabTetrahedra> KnownDiagram(int slab, const ContourSet& contours, int firstContour,
+    const LevelTriangulation& lower, const LevelTriangulation& upper) const;
   void Renumber(const ContourSet& contours);
   void TakeOver(
     PolyhedralStages& part, const Range& window, const Range& reached, int firstContour);

@@ -44,10 +44,11 @@ class Builder
 {
 public:
   Builder(const ContourSet& contours, const PolyhedralOptions& options, Monitor& monitor,
-    double progressEnd, TetrahedraWanted wanted)
+    double progressEnd, TetrahedraWanted wanted, bool keepsEarlier)
     : Contours(contours),
       Options(options),
       Wanted(wanted),
+      KeepsEarlier(keepsEarlier),
       Runner(options.Threads, monitor, progressEnd),
       Spacing(contours.Spacing())
   {
@@ -62,6 +63,8 @@ public:
     {
       this->Slabs[i].Thickness = this->Levels[i + 1].Offset - this->Levels[i].Offset;
     }
+    this->Out.Earlier.Levels.resize(this->Levels.size());
+    this->Out.Earlier.Slabs.resize(this->Slabs.size());
   }
 
   PolyhedralStages Build()
@@ -87,6 +90,7 @@ public:
   PolyhedralStages BuildPart(const JoinsOfPart& joins)
   {
     this->Spacing = joins.Spacing;
+    this->KnownDiagram = joins.KnownDiagram;
     for (std::size_t i = 0; i < this->Slabs.size(); ++i)
     {
       this->Slabs[i].Joins = joins.Joins[i];
@@ -190,14 +194,21 @@ private:
         const LevelState& upper = this->Levels[i + 1];
         if (lower.Changed || upper.Changed)
         {
-          this->JoinDiagram(lower.Triangulation, upper.Triangulation, this->Slabs[i]);
+          this->JoinDiagram(i, lower.Triangulation, upper.Triangulation);
         }
       });
   }
 
-  void JoinDiagram(
-    const LevelTriangulation& lower, const LevelTriangulation& upper, SlabState& slab) const
+  void JoinDiagram(int index, const LevelTriangulation& lower, const LevelTriangulation& upper)
   {
+    SlabState& slab = this->Slabs[index];
+    this->KeepEarlier(index);
+    if (std::optional<SlabTetrahedra> known =
+          this->KnownDiagram ? this->KnownDiagram(index, lower, upper) : std::nullopt)
+    {
+      slab.Diagram = std::move(*known);
+      return;
+    }
     const JointCells cells(lower, upper);
     const bool mayHaveGaps = this->Wanted != TetrahedraWanted::All && lower.IsGabriel &&
       upper.IsGabriel && !slab.Joins.HasContract();
@@ -217,6 +228,19 @@ private:
     }
     slab.Diagram = std::move(*all);
     EliminateTetrahedra(lower, upper, slab.Joins, slab.Diagram);
+  }
+
+  /// What the slab was before its levels changed.
+  void KeepEarlier(int slab)
+  {
+    SlabTetrahedra& diagram = this->Slabs[slab].Diagram;
+    if (!this->KeepsEarlier || diagram.Tetrahedra.empty())
+    {
+      return;
+    }
+    const auto before = [this](int level)
+    { return this->Out.Earlier.Levels[level].size() - (this->Levels[level].Changed ? 1 : 0); };
+    this->Out.Earlier.Slabs[slab].push_back({ before(slab), before(slab + 1), std::move(diagram) });
   }
 
   const SlabTetrahedra* DiagramOrNull(int slab) const
@@ -358,7 +382,7 @@ private:
           [&](int i)
           {
             const bool anyEnds = partialEnds && this->AddPartialEnds(i, ends);
-            this->AddCapAndCoverPoints(this->Levels[i], this->Units[i], round, anyEnds);
+            this->AddCapAndCoverPoints(i, round, anyEnds);
           });
       });
     return std::any_of(this->Levels.begin(), this->Levels.end(),
@@ -366,13 +390,14 @@ private:
   }
 
   /// anyEnds: the triangulator was changed already.
-  void AddCapAndCoverPoints(LevelState& level, double unit, bool round, bool anyEnds) const
+  void AddCapAndCoverPoints(int index, bool round, bool anyEnds)
   {
+    LevelState& level = this->Levels[index];
     const std::vector<Point2> bare =
       FindCoverPoints(level.Triangulation, level.Covered, level.Lifted);
-    const std::vector<Point2> caps = round
-      ? FindEndCapPoints(level.Triangulation, level.Covered, unit, this->Extrapolates())
-      : std::vector<Point2>();
+    const std::vector<Point2> caps = round ? FindEndCapPoints(level.Triangulation, level.Covered,
+                                               this->Units[index], this->Extrapolates())
+                                           : std::vector<Point2>();
     level.Changed = anyEnds || !bare.empty() || !caps.empty();
     if (!level.Changed)
     {
@@ -383,14 +408,20 @@ private:
     {
       level.Triangulator->AddCoverPoints(bare);
     }
+    if (this->KeepsEarlier)
+    {
+      this->Out.Earlier.Levels[index].push_back(std::move(level.Triangulation));
+    }
     level.Triangulation = level.Triangulator->Finish();
   }
 
   const ContourSet& Contours;
   const PolyhedralOptions& Options;
   TetrahedraWanted Wanted;
+  bool KeepsEarlier;
   StageRunner Runner;
-  double Spacing;                                        ///< of the whole stack
+  double Spacing; ///< of the whole stack
+  decltype(JoinsOfPart::KnownDiagram) KnownDiagram;
   std::optional<EndShapes> Shapes;                       ///< where ends are extrapolated
   std::vector<std::array<EndShapesOfLevel, 2>> ShapesOf; ///< by level, below and above
   std::vector<double> Units; ///< of the last decimal of each level's contours
@@ -401,14 +432,15 @@ private:
 }
 
 PolyhedralStages BuildPolyhedralStages(const ContourSet& contours, const PolyhedralOptions& options,
-  Monitor& monitor, double progressEnd, TetrahedraWanted wanted)
+  Monitor& monitor, double progressEnd, TetrahedraWanted wanted, bool keepsEarlier)
 {
   RequireParallelLevels(contours);
   LevelAlignment alignment = FindLevelAlignment(contours, options.AlignLevels, options.ForcedJoins);
   auto shifted = alignment.IsEmpty() ? std::unique_ptr<ContourSet>()
                                      : std::make_unique<ContourSet>(Aligned(contours, alignment));
   PolyhedralStages stages =
-    Builder(shifted ? *shifted : contours, options, monitor, progressEnd, wanted).Build();
+    Builder(shifted ? *shifted : contours, options, monitor, progressEnd, wanted, keepsEarlier)
+      .Build();
   stages.Report.insert(stages.Report.begin(), alignment.Report.begin(), alignment.Report.end());
   stages.Alignment = std::move(alignment);
   stages.Shifted = std::move(shifted);
@@ -418,7 +450,7 @@ PolyhedralStages BuildPolyhedralStages(const ContourSet& contours, const Polyhed
 PolyhedralStages BuildStagesOfPart(const ContourSet& part, const JoinsOfPart& joins,
   const PolyhedralOptions& options, Monitor& monitor, double progressEnd, TetrahedraWanted wanted)
 {
-  return Builder(part, options, monitor, progressEnd, wanted).BuildPart(joins);
+  return Builder(part, options, monitor, progressEnd, wanted, true).BuildPart(joins);
 }
 
 void AddReports(
