@@ -10,7 +10,7 @@ import readertesting as rt
 
 simple = ct.load_plugin()
 EXAMPLES = os.path.join(ct.SOURCE, "Documentation", "examples")
-FOLDER = ct.output("examples")
+FOLDER = ct.output("-".join(["examples", *sys.argv[1:]]))  # the one with a display may run at the same time
 shutil.rmtree(FOLDER, ignore_errors=True)
 os.makedirs(FOLDER)
 os.chdir(FOLDER)
