@@ -139,6 +139,7 @@ def nodes_make():
         add(f"{name} hierarchy", simple.ContourHierarchy(Input=contours))
     brain, pipe, seed = (read[name] for name in readers)
     add("brain.cnt polyhedral", simple.PolyhedralSurface(Input=brain))
+    add("brain.cnt told", simple.PolyhedralSurface(Input=brain, ExpectedPieces=1, ExpectedHandles=0))
     add("brain.cnt flat", simple.PolyhedralSurface(Input=brain, EndCaps="Flat", Mapping="Proximity", PinchGap=0))
     mapping = simple.ContourMapping(Input=pipe, OverlapThreshold=0.3)
     add("branching_pipe.cnt mapping", mapping)

@@ -53,6 +53,7 @@ def through_the_package():
         keep_contours(f"{name} hierarchy", cr.contour_hierarchy(contours))
     contours = cr.read(own("brain.cnt"))
     keep_surface("brain.cnt polyhedral", cr.polyhedral_surface(contours))
+    keep_surface("brain.cnt told", cr.polyhedral_surface(contours, ExpectedPieces=1, ExpectedHandles=0))
     keep_surface("brain.cnt flat", cr.polyhedral_surface(contours, EndCaps="Flat", Mapping="Proximity", PinchGap=0))
     pipe = cr.read(own("branching_pipe.cnt"))
     mapping = cr.contour_mapping(pipe, OverlapThreshold=0.3)

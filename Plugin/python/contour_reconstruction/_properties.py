@@ -62,6 +62,9 @@ FLAGS = frozenset({
     "Extrapolate",
     "CopyReferenceROIs",
 })
+#: Whole numbers among RANGES, as the core counts them.
+WHOLE = frozenset({"ExpectedPieces", "ExpectedHandles"})
+LARGEST_WHOLE = 2**31 - 1
 PAIRS = frozenset({"ForcedJoins", "ForbiddenJoins"})
 TEXTS = frozenset({"ReferenceFileName", "StructureSetLabel", "FrameOfReferenceUID"})
 MOST_THREADS = 1024
@@ -101,10 +104,10 @@ def _in_range(name: str, value: Any, limits: tuple[float, float]) -> float:
     return number
 
 
-def _threads(value: Any) -> int:
-    number = _in_range("Threads", value, (0, MOST_THREADS))
+def _whole(name: str, value: Any, limits: tuple[float, float]) -> int:
+    number = _in_range(name, value, (limits[0], min(limits[1], LARGEST_WHOLE)))
     if number != int(number):
-        raise Error(f"Threads is {value!r}, which is no whole number.")
+        raise Error(f"{name} is {value!r}, which is no whole number.")
     return int(number)
 
 
@@ -145,6 +148,8 @@ def checked(values: dict[str, Any], **ranges: tuple[float, float]) -> dict[str, 
     for name, value in values.items():
         if name in CHOICES:
             result[name] = _choice(name, value)
+        elif name in WHOLE:
+            result[name] = _whole(name, value, limits[name])
         elif name in limits:
             result[name] = _in_range(name, value, limits[name])
         elif name in FLAGS:
@@ -156,5 +161,5 @@ def checked(values: dict[str, Any], **ranges: tuple[float, float]) -> dict[str, 
         elif name in TEXTS:
             result[name] = str(value)
         elif name == "Threads":
-            result[name] = _threads(value)
+            result[name] = _whole(name, value, (0, MOST_THREADS))
     return result
