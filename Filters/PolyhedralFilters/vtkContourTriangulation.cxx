@@ -4,7 +4,6 @@
 #include "ContourConversion.h"
 #include "FieldArrays.h"
 #include "Polyhedral/PolyhedralStages.h"
-#include "Polyhedral/TopologyContract.h"
 #include "RunCore.h"
 #include "vtkContourMonitor.h"
 
@@ -177,12 +176,7 @@ int vtkContourTriangulation::RequestData(
       std::vector<std::string> report = contours.Report;
       recon::PolyhedralOptions options =
         this->GetOptions(input, contours, vtkTable::GetData(inputVector[1], 0), report);
-      if (recon::AsksForTopology(options))
-      {
-        vtkContourMonitor searching(this, 0.2, 0.7);
-        options.Contract = recon::MeetContract(contours, options, searching).Decisions;
-      }
-      vtkContourMonitor triangulating(this, recon::AsksForTopology(options) ? 0.7 : 0.2, 1.0);
+      vtkContourMonitor triangulating(this, this->MeetContract(contours, 0.2, options), 1.0);
       const Levels levels = Triangulate(contours, options, triangulating, report);
       FillTriangles(contours, levels, triangles);
       FillSkeletons(contours, levels, skeletons);

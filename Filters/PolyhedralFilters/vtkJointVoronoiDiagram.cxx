@@ -4,7 +4,6 @@
 #include "ContourConversion.h"
 #include "FieldArrays.h"
 #include "Polyhedral/PolyhedralStages.h"
-#include "Polyhedral/TopologyContract.h"
 #include "RunCore.h"
 #include "vtkContourMonitor.h"
 
@@ -224,12 +223,7 @@ int vtkJointVoronoiDiagram::RequestData(
       std::vector<std::string> report = contours.Report;
       recon::PolyhedralOptions options =
         this->GetOptions(input, contours, vtkTable::GetData(inputVector[1], 0), report);
-      if (recon::AsksForTopology(options))
-      {
-        vtkContourMonitor searching(this, 0.1, 0.7);
-        options.Contract = recon::MeetContract(contours, options, searching).Decisions;
-      }
-      vtkContourMonitor building(this, recon::AsksForTopology(options) ? 0.7 : 0.1, 1.0);
+      vtkContourMonitor building(this, this->MeetContract(contours, 0.1, options), 1.0);
       const recon::PolyhedralStages stages =
         recon::BuildPolyhedralStages(contours, options, building);
       FillTetrahedra(contours, stages, tetrahedra);

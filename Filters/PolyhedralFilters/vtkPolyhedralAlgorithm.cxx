@@ -3,6 +3,8 @@
 
 #include "JoinTable.h"
 #include "Polyhedral/PolyhedralSurface.h"
+#include "Polyhedral/TopologyContract.h"
+#include "vtkContourMonitor.h"
 
 //------------------------------------------------------------------------------
 recon::PolyhedralOptions vtkPolyhedralAlgorithm::GetOptions(vtkPolyData* input,
@@ -30,6 +32,20 @@ recon::PolyhedralOptions vtkPolyhedralAlgorithm::GetOptions(vtkPolyData* input,
   options.ExpectedHandles = this->GetExpectedHandles();
   options.Threads = joins.Threads;
   return options;
+}
+
+//------------------------------------------------------------------------------
+double vtkPolyhedralAlgorithm::MeetContract(
+  const recon::ContourSet& contours, double from, recon::PolyhedralOptions& options)
+{
+  if (!recon::AsksForTopology(options))
+  {
+    return from;
+  }
+  constexpr double SearchEnd = 0.7;
+  vtkContourMonitor searching(this, from, SearchEnd);
+  options.Contract = recon::MeetContract(contours, options, searching).Decisions;
+  return SearchEnd;
 }
 
 //------------------------------------------------------------------------------

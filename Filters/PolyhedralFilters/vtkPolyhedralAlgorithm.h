@@ -113,6 +113,13 @@ protected:
   recon::PolyhedralOptions GetOptions(vtkPolyData* input, const recon::ContourSet& contours,
     vtkTable* overrides, std::vector<std::string>& report);
 
+  /**
+   * Puts into the options the joins that meet ExpectedPieces and ExpectedHandles, for nodes that show
+   * a stage of the surface; returns the progress from which they go on: `from` where nothing is asked.
+   */
+  double MeetContract(
+    const recon::ContourSet& contours, double from, recon::PolyhedralOptions& options);
+
 private:
   vtkPolyhedralAlgorithm(const vtkPolyhedralAlgorithm&) = delete;
   void operator=(const vtkPolyhedralAlgorithm&) = delete;

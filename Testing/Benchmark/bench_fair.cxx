@@ -18,6 +18,7 @@
 #include "Fair/FairSurface.h"
 #include "Mesh/MeshTopology.h"
 #include "Mesh/SelfIntersections.h"
+#include "NodeDefaults.h"
 #include "Polyhedral/PolyhedralSurface.h"
 
 #include <chrono>
@@ -52,21 +53,10 @@ bool IsSame(const TriangleMesh& a, const TriangleMesh& b)
     std::memcmp(a.Points.data(), b.Points.data(), a.Points.size() * sizeof(Point3)) == 0;
 }
 
-/// As the node does by default.
-FairOptions Usual()
-{
-  FairOptions options;
-  options.Polyhedral.Mapping = PolyhedralOptions::Overlap;
-  options.Polyhedral.EndCaps = PolyhedralOptions::Tapered;
-  options.Polyhedral.IsolatedContours = PolyhedralOptions::Extrude;
-  options.Polyhedral.PinchGap = FairPinchGap;
-  return options;
-}
-
 void Measure(const std::string& name, const ContourSet& contours, const Request& request)
 {
   Monitor monitor;
-  FairOptions options = Usual();
+  FairOptions options = recon::testing::NodeFairOptions();
   std::vector<Timed> timed(request.Threads.size());
   FairSurface first;
   FairSurface last;

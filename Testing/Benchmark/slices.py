@@ -28,10 +28,9 @@ import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "truth"))
 import numpy
-from truedata import SHARED, corners_of, output, producer, simple
+from truedata import SHARED, closed_polylines, corners_of, output, producer, simple, value_of
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkDataSet, vtkImageData, vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkDataSet, vtkImageData, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkContourFilter
 
 KEPT = 4  # one level of so many
@@ -81,16 +80,7 @@ class Region:
 
     def of_levels(self, kept):
         """The contours of some levels, as a proxy."""
-        made, points, cells = vtkPolyData(), [], vtkCellArray()
-        for loop, level in zip(self.loops, self.levels):
-            if level in kept:
-                cells.InsertNextCell(len(loop), list(range(len(points), len(points) + len(loop) - 1)) + [len(points)])
-                points += list(loop)
-        places = vtkPoints()
-        places.SetData(numpy_to_vtk(numpy.array(points), deep=True))
-        made.SetPoints(places)
-        made.SetLines(cells)
-        return producer(made)
+        return producer(closed_polylines([loop[:-1] for loop, level in zip(self.loops, self.levels) if level in kept]))
 
 
 def regions(path):
@@ -229,13 +219,6 @@ class Interpolation:
             return numpy.empty((0, 2, 2))
         ends = vtk_to_numpy(made.GetLines().GetConnectivityArray()).reshape(-1, 2)
         return vtk_to_numpy(made.GetPoints().GetData()).astype(float)[ends][:, :, :2]
-
-
-def value_of(text):
-    try:
-        return json.loads(text)
-    except ValueError:
-        return text
 
 
 def made_by(method, contours, properties):

@@ -28,30 +28,14 @@ import tempfile
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(HERE, "truth"))
-from truedata import SHARED, output, producer, read_mesh, simple
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPlane, vtkPolyData
+from truedata import SHARED, closed_polylines, output, producer, read_mesh, simple
+from vtkmodules.vtkCommonDataModel import vtkPlane
 from vtkmodules.vtkFiltersCore import vtkCutter
 
 VOXELS = 256  # along the largest extent in the planes, for slices
 CUBE = 160  # along the longest extent, for three directions
 LEFT_OUT = 16  # slices to compare, of four contours
 AXES = "xyz"
-
-
-def poly_data(loops):
-    """Loops of points as closed polylines."""
-    points, lines = vtkPoints(), vtkCellArray()
-    points.SetDataTypeToDouble()
-    for loop in loops:
-        ids = [points.InsertNextPoint(p) for p in loop]
-        lines.InsertNextCell(len(ids) + 1)
-        for i in ids + ids[:1]:
-            lines.InsertCellPoint(i)
-    data = vtkPolyData()
-    data.SetPoints(points)
-    data.SetLines(lines)
-    return data
 
 
 def loops_of(data):
@@ -186,17 +170,17 @@ CASES = {
 
 def with_ism(case, drawn, properties):
     """The implicit method's own contours on the left-out planes."""
-    contours = producer(poly_data([loop for _, _, loops in drawn for loop in loops]))
+    contours = producer(closed_polylines([loop for _, _, loops in drawn for loop in loops]))
     constraints = simple.ImplicitConstraints(Input=contours, **properties)
     model = simple.ImplicitFunction(Input=constraints)
-    planes = producer(poly_data([loop for _, loops in case.left_out for loop in loops]))
+    planes = producer(closed_polylines([loop for _, loops in case.left_out for loop in loops]))
     slices = output(simple.ImplicitContours(Input=model, Planes=planes))
     return by_offset(loops_of(slices), case.axis, case.offsets())
 
 
 def with_psm(case, drawn):
     parallel = [loop for axis, _, loops in drawn if axis == case.axis for loop in loops]
-    surface = output(simple.PolyhedralSurface(Input=producer(poly_data(parallel))))
+    surface = output(simple.PolyhedralSurface(Input=producer(closed_polylines(parallel))))
     return [cut(surface, case.axis, offset) for offset in case.offsets()]
 
 

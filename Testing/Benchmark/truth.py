@@ -28,7 +28,7 @@ import sys
 import time
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "truth"))
-from truedata import SHARED, cases, certificate, distance, output, simple, volume
+from truedata import SHARED, cases, certificate, distance, output, simple, value_of, volume
 
 # (mean, largest, Euler) of SlicerRT's contour conversion, (mean, largest) of the best mask tool.
 SLICERRT = {"eight_15": (0.0055, 0.068, -2), "hand_ok": (0.0049, 0.082, 0), "balloondog": (0.0064, 0.104, 6),
@@ -38,14 +38,6 @@ MASKS = {"eight_15": (0.0058, 0.050), "hand_ok": (0.0050, 0.053), "balloondog": 
 # Rows whose surface has the topology of the truth, though no slice shows what is between two of them.
 TRUE_EULER = {"eight_15", "hand_ok", "balloondog", "couplingdown x", "couplingdown z", "knot2 x", "knot2 y", "knot2 z",
               "elephant z", "fertility x", "fertility y", "fertility z", "kitten y", "kitten z"}
-
-
-def value_of(text):
-    """A property's value as typed: ParaView takes numbers for numbers only."""
-    try:
-        return json.loads(text)
-    except ValueError:
-        return text
 
 
 def node_of(method, contours, properties):

@@ -73,6 +73,19 @@ def closed_polylines(polygons):
     return made
 
 
+def silent(algorithm):
+    """Collect errors and warnings instead of printing them."""
+    heard = {"ErrorEvent": [], "WarningEvent": []}
+    for event, lines in heard.items():
+        def listen(_caller, _event, text=None, lines=lines):
+            lines.append(text)
+        listen.CallDataType = "string0"
+        algorithm.AddObserver(event, listen)
+    # The executive has a line of its own to say about an algorithm that failed.
+    algorithm.GetExecutive().AddObserver("ErrorEvent", lambda *_: None)
+    return heard
+
+
 def errors_of(function):
     """What VTK says while the function runs, kept from the test's own output."""
     from vtkmodules.vtkCommonCore import vtkFileOutputWindow, vtkLogger, vtkOutputWindow

@@ -124,6 +124,24 @@ double SignedAreaOf(const std::vector<Point2>& polygon)
   return twice;
 }
 
+/// Joins points by the edges that are not crossed, whichever way they run.
+template <typename EdgesByKey>
+void JoinUncrossed(const TriangleMesh& mesh, const EdgesByKey& crossed, DisjointSets& sets)
+{
+  for (const Triangle& triangle : mesh.Triangles)
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const int a = triangle[k];
+      const int b = triangle[(k + 1) % 3];
+      if (crossed.count({ { a, b } }) == 0 && crossed.count({ { b, a } }) == 0)
+      {
+        sets.Join(a, b);
+      }
+    }
+  }
+}
+
 /// Cuts along planes of one direction.
 class Cutter
 {
@@ -187,7 +205,9 @@ private:
   {
     std::vector<const SectionLoop*> Loops;
     double Height;
-    bool Above; ///< above what is taken away
+    bool Above;                        ///< above what is taken away
+    std::vector<Triangle> Triangles;   ///< by the corners of the loops, counterclockwise
+    bool RunsCounterclockwise = false; ///< the first loop
   };
 
   struct Cutting
@@ -240,7 +260,7 @@ private:
     const double low = disc.Low + margin;
     const double high = disc.High - margin;
     Cutting cutting{ &disc, { { &disc.Loop, low, high } },
-      { { { &disc.Loop }, low, false }, { { &disc.Loop }, high, true } } };
+      { { { &disc.Loop }, low, false, {} }, { { &disc.Loop }, high, true, {} } } };
     for (const SectionLoop& inner : disc.Inside)
     {
       const std::optional<bool> hangsAbove = this->HangsAbove(inner, disc.Loop);
@@ -250,12 +270,21 @@ private:
       }
       cutting.Openings.push_back(
         { &inner, *hangsAbove ? disc.Low : low, *hangsAbove ? high : disc.High });
-      cutting.Caps.push_back({ { &inner }, *hangsAbove ? disc.Low : disc.High, !*hangsAbove });
+      cutting.Caps.push_back({ { &inner }, *hangsAbove ? disc.Low : disc.High, !*hangsAbove, {} });
       cutting.Caps[*hangsAbove ? 1 : 0].Loops.push_back(&inner);
     }
-    const bool isPossible = std::all_of(cutting.Caps.begin(), cutting.Caps.end(),
-      [&](const Cap& cap) { return TrianglesOf(this->CornersOf(this->Mesh, cap)).has_value(); });
-    return isPossible ? std::make_optional(std::move(cutting)) : std::nullopt;
+    for (Cap& cap : cutting.Caps)
+    {
+      const std::vector<Polygon> corners = this->CornersOf(cap);
+      std::optional<std::vector<Triangle>> triangles = TrianglesOf(corners);
+      if (!triangles)
+      {
+        return std::nullopt;
+      }
+      cap.Triangles = std::move(*triangles);
+      cap.RunsCounterclockwise = SignedAreaOf(corners[0]) > 0;
+    }
+    return cutting;
   }
 
   /// Whether what a loop parts from the one around it lies above; nothing where it parts nothing.
@@ -263,18 +292,7 @@ private:
   {
     const std::set<Edge> crossed(inner.Edges.begin(), inner.Edges.end());
     DisjointSets sets(this->Mesh.Points.size());
-    for (const Triangle& triangle : this->Mesh.Triangles)
-    {
-      for (std::size_t k = 0; k < 3; ++k)
-      {
-        const int a = triangle[k];
-        const int b = triangle[(k + 1) % 3];
-        if (crossed.count({ { a, b } }) == 0 && crossed.count({ { b, a } }) == 0)
-        {
-          sets.Join(a, b);
-        }
-      }
-    }
+    JoinUncrossed(this->Mesh, crossed, sets);
     const int below = sets.Find(inner.Edges[0][0]);
     const int above = sets.Find(inner.Edges[0][1]);
     const int own = sets.Find(around.Edges[0][0]);
@@ -282,7 +300,7 @@ private:
                                                             : std::make_optional(own == below);
   }
 
-  std::vector<Polygon> CornersOf(const TriangleMesh& mesh, const Cap& cap) const
+  std::vector<Polygon> CornersOf(const Cap& cap) const
   {
     std::vector<Polygon> polygons;
     for (const SectionLoop* loop : cap.Loops)
@@ -290,7 +308,7 @@ private:
       polygons.emplace_back();
       for (const Edge& edge : loop->Edges)
       {
-        polygons.back().push_back(CrossingAt(mesh, this->Frame, edge, cap.Height));
+        polygons.back().push_back(CrossingAt(this->Mesh, this->Frame, edge, cap.Height));
       }
     }
     return polygons;
@@ -328,18 +346,7 @@ private:
       }
       sets.Join(below, edge[1]);
     }
-    for (const Triangle& triangle : this->Mesh.Triangles)
-    {
-      for (std::size_t k = 0; k < 3; ++k)
-      {
-        const int a = triangle[k];
-        const int b = triangle[(k + 1) % 3];
-        if (crossed.count({ { a, b } }) == 0 && crossed.count({ { b, a } }) == 0)
-        {
-          sets.Join(a, b);
-        }
-      }
-    }
+    JoinUncrossed(this->Mesh, crossed, sets);
     std::vector<std::size_t> order(this->Discs.size());
     for (std::size_t d = 0; d < order.size(); ++d)
     {
@@ -445,16 +452,13 @@ private:
         rim.push_back(this->PointAt(before, edge, cap.Height));
       }
     }
-    const std::vector<Polygon> corners = this->CornersOf(before, cap);
-    const bool runsCounterclockwise = SignedAreaOf(corners[0]) > 0;
-    const auto triangles = TrianglesOf(corners); // there are some, else the disc was not chosen
-    for (const Triangle& triangle : *triangles)
+    for (const Triangle& triangle : cap.Triangles)
     {
       const int a = rim[static_cast<std::size_t>(triangle[0])];
       const int b = rim[static_cast<std::size_t>(triangle[1])];
       const int c = rim[static_cast<std::size_t>(triangle[2])];
       this->Add(
-        runsCounterclockwise == cap.Above ? Triangle{ { a, b, c } } : Triangle{ { a, c, b } },
+        cap.RunsCounterclockwise == cap.Above ? Triangle{ { a, b, c } } : Triangle{ { a, c, b } },
         cap.Loops[0]->Triangles[0]);
     }
   }

@@ -7,6 +7,7 @@
 #include "CurveNetwork/CurveNetworkParser.h"
 #include "DICOM/StructureSetFile.h"
 #include "Mesh/SurfaceSections.h"
+#include "NodeDefaults.h"
 #include "NUAGES/NUAGESParser.h"
 
 #include <algorithm>
@@ -252,9 +253,7 @@ void DrawNested(const std::vector<std::string>& words, Case& made)
 Case MakeCase(const std::vector<std::string>& words)
 {
   Case made;
-  made.Options.Mapping = PolyhedralOptions::Overlap;
-  made.Options.EndCaps = PolyhedralOptions::Tapered;
-  made.Options.IsolatedContours = PolyhedralOptions::Extrude;
+  made.Options = testing::NodeOptions();
   const std::string kind = words.empty() ? "" : words[0];
   if (kind == "cut")
   {

@@ -45,6 +45,21 @@ def poly_data(points, triangles):
     return data
 
 
+def closed_polylines(loops):
+    """Loops of points as closed polylines."""
+    points, lines = vtkPoints(), vtkCellArray()
+    points.SetDataTypeToDouble()
+    for loop in loops:
+        ids = [points.InsertNextPoint(p) for p in loop]
+        lines.InsertNextCell(len(ids) + 1)
+        for i in ids + ids[:1]:
+            lines.InsertCellPoint(i)
+    data = vtkPolyData()
+    data.SetPoints(points)
+    data.SetLines(lines)
+    return data
+
+
 def read_off(path):
     with open(path) as file:
         words = [w for line in file for w in line.split("#")[0].split()]
@@ -177,3 +192,11 @@ def volume(data):
     points = vtk_to_numpy(data.GetPoints().GetData()).astype(float)
     a, b, c = (points[corners_of(data)[:, k]] for k in range(3))
     return abs(float(numpy.einsum("ij,ij->i", a, numpy.cross(b, c)).sum() / 6))
+
+
+def value_of(text):
+    """A property's value as typed: ParaView takes numbers for numbers only."""
+    try:
+        return json.loads(text)
+    except ValueError:
+        return text

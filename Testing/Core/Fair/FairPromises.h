@@ -11,6 +11,7 @@
 #include "Fair/FairSurface.h"
 #include "Mesh/MeshTopology.h"
 #include "Mesh/TriangleTree.h"
+#include "NodeDefaults.h"
 #include "Polyhedral/PolyhedralSurface.h"
 
 #include <gtest/gtest.h>
@@ -21,17 +22,6 @@
 
 namespace recon::testing
 {
-/// As the node does by default.
-inline FairOptions UsualFairOptions()
-{
-  FairOptions options;
-  options.Polyhedral.Mapping = PolyhedralOptions::Overlap;
-  options.Polyhedral.EndCaps = PolyhedralOptions::Tapered;
-  options.Polyhedral.IsolatedContours = PolyhedralOptions::Extrude;
-  options.Polyhedral.PinchGap = FairPinchGap;
-  return options;
-}
-
 /// The farthest of the contour vertices that the polyhedral surface has, by a search of its own.
 inline double FarthestDrawn(
   const ContourSet& contours, const TriangleMesh& polyhedral, const TriangleMesh& fair)

@@ -51,17 +51,17 @@ ContourSet Ball(double radius, int slices)
 
 TEST(FairSurface, KeepsTopologyAndTolerance)
 {
-  ExpectPromises(Ball(10, 12), UsualFairOptions());
+  ExpectPromises(Ball(10, 12), NodeFairOptions());
   // One that becomes two, and a ring.
   ExpectPromises(
     BuildStack({ { RegularPolygon(60, 6) }, { RegularPolygon(60, 6) },
       { RegularPolygon(40, 2.5, 0, { -3, 0 }), RegularPolygon(40, 2.5, 0, { 3, 0 }) },
       { RegularPolygon(40, 2.5, 0, { -3, 0 }), RegularPolygon(40, 2.5, 0, { 3, 0 }) } }),
-    UsualFairOptions());
+    NodeFairOptions());
   ExpectPromises(BuildStack({ { RegularPolygon(60, 6), RegularPolygon(40, 3) },
                    { RegularPolygon(60, 6), RegularPolygon(40, 3) },
                    { RegularPolygon(60, 5.5), RegularPolygon(40, 3.5) } }),
-    UsualFairOptions());
+    NodeFairOptions());
 }
 
 TEST(FairSurface, IsNearerToABallThanThePolyhedralOne)
@@ -84,9 +84,9 @@ TEST(FairSurface, IsNearerToABallThanThePolyhedralOne)
     }
     return miss / all;
   };
-  const double fair = meanMiss(Build(ball, UsualFairOptions()).Mesh);
+  const double fair = meanMiss(Build(ball, NodeFairOptions()).Mesh);
   const double polyhedral =
-    meanMiss(BuildPolyhedralSurface(ball, UsualFairOptions().Polyhedral, monitor).Mesh);
+    meanMiss(BuildPolyhedralSurface(ball, NodeFairOptions().Polyhedral, monitor).Mesh);
   EXPECT_LT(fair, 0.5 * polyhedral);
 }
 
@@ -94,13 +94,13 @@ TEST(FairSurface, EvensOutPixels)
 {
   const ContourSet discs = BuildStack(
     { { PixelDisc(9, 1) }, { PixelDisc(10, 1) }, { PixelDisc(10, 1) }, { PixelDisc(9, 1) } });
-  const FairSurface fair = Build(discs, UsualFairOptions());
+  const FairSurface fair = Build(discs, NodeFairOptions());
   ExpectSoundSurface(fair.Mesh);
   EXPECT_NEAR(fair.Tolerance, 0.5, 1e-9);
   EXPECT_LE(fair.Farthest, fair.Tolerance);
   Monitor monitor;
   const PolyhedralSurface stairs =
-    BuildPolyhedralSurface(discs, UsualFairOptions().Polyhedral, monitor);
+    BuildPolyhedralSurface(discs, NodeFairOptions().Polyhedral, monitor);
   EXPECT_LT(AreaOf(fair.Mesh), AreaOf(stairs.Mesh));
 }
 
@@ -113,7 +113,7 @@ TEST(FairSurface, EvensOutATracedRaster)
     levels.push_back({ Traced(20.3, 2, 0.3, slice) });
   }
   const ContourSet tube = BuildStack(levels, 3);
-  const FairSurface fair = Build(tube, UsualFairOptions());
+  const FairSurface fair = Build(tube, NodeFairOptions());
   ExpectSoundSurface(fair.Mesh);
   const TracedRaster raster = FindTracedRaster(tube);
   EXPECT_NEAR(raster.Pitch, 2, 0.05);
@@ -123,7 +123,7 @@ TEST(FairSurface, EvensOutATracedRaster)
   EXPECT_LE(fair.Farthest, fair.Tolerance);
   Monitor monitor;
   const PolyhedralSurface rough =
-    BuildPolyhedralSurface(tube, UsualFairOptions().Polyhedral, monitor);
+    BuildPolyhedralSurface(tube, NodeFairOptions().Polyhedral, monitor);
   const auto roughness = [](const TriangleMesh& mesh)
   {
     double sum = 0;
@@ -147,7 +147,7 @@ TEST(FairSurface, KeepsAThinHoleWithinTheTolerance)
   {
     levels.push_back({ Traced(20.3, 2, 0.3, slice), RegularPolygon(5, 0.8, 0, { 3, 2 }) });
   }
-  ExpectPromises(BuildStack(levels, 3), UsualFairOptions());
+  ExpectPromises(BuildStack(levels, 3), NodeFairOptions());
 }
 
 TEST(FairSurface, KeepsAnyTolerance)
@@ -159,7 +159,7 @@ TEST(FairSurface, KeepsAnyTolerance)
   {
     for (const double edges : { 0.0, 2.0 })
     {
-      FairOptions options = UsualFairOptions();
+      FairOptions options = NodeFairOptions();
       options.Tolerance = tolerance;
       options.EdgeLength = edges;
       ExpectPromises(needles, options);
@@ -174,7 +174,7 @@ TEST(FairSurface, APieceOfASingleSliceKeepsItsVolume)
   RingStack levels(6, { RegularPolygon(60, 5) });
   levels[3].push_back(RegularPolygon(30, 2, 0, { 12, 0 }));
   const ContourSet contours = BuildStack(levels);
-  ExpectPromises(contours, UsualFairOptions());
+  ExpectPromises(contours, NodeFairOptions());
   const auto volumeBeside = [](const TriangleMesh& mesh)
   {
     const TriangleComponents pieces = FindTriangleComponents(mesh);
@@ -184,13 +184,13 @@ TEST(FairSurface, APieceOfASingleSliceKeepsItsVolume)
   };
   Monitor monitor;
   const double wanted =
-    volumeBeside(BuildPolyhedralSurface(contours, UsualFairOptions().Polyhedral, monitor).Mesh);
-  EXPECT_NEAR(volumeBeside(Build(contours, UsualFairOptions()).Mesh), wanted, 0.1 * wanted);
+    volumeBeside(BuildPolyhedralSurface(contours, NodeFairOptions().Polyhedral, monitor).Mesh);
+  EXPECT_NEAR(volumeBeside(Build(contours, NodeFairOptions()).Mesh), wanted, 0.1 * wanted);
 }
 
 TEST(FairSurface, PropertiesAreTaken)
 {
-  FairOptions options = UsualFairOptions();
+  FairOptions options = NodeFairOptions();
   options.EdgeLength = 1.5;
   options.Tolerance = 0.4;
   options.Tension = 1;
@@ -204,14 +204,14 @@ TEST(FairSurface, PropertiesAreTaken)
 
 TEST(FairSurface, SaysWhatItChose)
 {
-  const FairSurface fair = Build(Ball(10, 12), UsualFairOptions());
+  const FairSurface fair = Build(Ball(10, 12), NodeFairOptions());
   ASSERT_FALSE(fair.Report.empty());
   EXPECT_NE(fair.Report.back().find("a tolerance of"), std::string::npos) << fair.Report.back();
 }
 
 TEST(FairSurface, DoesNotDependOnTheThreads)
 {
-  FairOptions options = UsualFairOptions();
+  FairOptions options = NodeFairOptions();
   options.Threads = 1;
   const FairSurface one = Build(Ball(10, 12), options);
   options.Threads = 3;
@@ -227,19 +227,19 @@ TEST(FairSurface, CanBeStopped)
     bool AbortRequested() override { return ++this->Asked > 30; }
     int Asked = 0;
   } impatient;
-  EXPECT_THROW(BuildFairSurface(Ball(10, 12), UsualFairOptions(), impatient), Aborted);
+  EXPECT_THROW(BuildFairSurface(Ball(10, 12), NodeFairOptions(), impatient), Aborted);
 }
 
 TEST(FairSurface, OneSliceIsAnError)
 {
-  EXPECT_THROW(Build(BuildStack({ { RegularPolygon(9, 1) } }), UsualFairOptions()), Error);
+  EXPECT_THROW(Build(BuildStack({ { RegularPolygon(9, 1) } }), NodeFairOptions()), Error);
 }
 
 TEST(FairSurface, AnEdgeLengthThatAsksForTooManyTrianglesIsAnError)
 {
   for (const double length : { 1e-2, 1e-9, 1e-300 })
   {
-    FairOptions options = UsualFairOptions();
+    FairOptions options = NodeFairOptions();
     options.EdgeLength = length;
     try
     {
@@ -256,7 +256,7 @@ TEST(FairSurface, AnEdgeLengthThatAsksForTooManyTrianglesIsAnError)
 TEST(FairSurface, AFlatEndKeepsItsRimAndDoesNotFlare)
 {
   // A tube: as wide between its slices as on them, and its ends are discs.
-  FairOptions options = UsualFairOptions();
+  FairOptions options = NodeFairOptions();
   options.Polyhedral.EndCaps = PolyhedralOptions::Flat;
   const ContourSet tube = BuildStack({ { RegularPolygon(60, 2) }, { RegularPolygon(60, 2) } }, 2);
   const FairSurface fair = Build(tube, options);

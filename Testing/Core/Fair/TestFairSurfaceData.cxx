@@ -21,7 +21,7 @@ protected:
         Monitor monitor;
         ContourSetOptions reading;
         reading.Parallel = true;
-        FairOptions options = UsualFairOptions();
+        FairOptions options = NodeFairOptions();
         options.Tolerance = tolerance;
         ExpectPromises(BuildContourSet(named.second, reading, monitor), options);
       }

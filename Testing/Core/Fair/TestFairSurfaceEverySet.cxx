@@ -22,7 +22,7 @@ protected:
         reading.Parallel = true;
         try
         {
-          ExpectPromises(BuildContourSet(soup, reading, monitor), UsualFairOptions());
+          ExpectPromises(BuildContourSet(soup, reading, monitor), NodeFairOptions());
           ++seen;
         }
         catch (const Error& error)

@@ -8,6 +8,7 @@
 
 #include "Polyhedral/PolyhedralSurface.h"
 #include "PolyhedralShapes.h"
+#include "SameSurface.h"
 
 #include <gtest/gtest.h>
 
@@ -27,16 +28,7 @@ inline void ExpectSameFromBoundary(const ContourSet& contours, const PolyhedralO
 {
   const PolyhedralSurface all = BuildWith(contours, options, TetrahedraWanted::All);
   const PolyhedralSurface few = BuildWith(contours, options, TetrahedraWanted::BoundaryOnly);
-  EXPECT_TRUE(all.Mesh.Points == few.Mesh.Points);
-  EXPECT_TRUE(all.Mesh.Triangles == few.Mesh.Triangles);
-  EXPECT_EQ(all.Slab, few.Slab);
-  EXPECT_EQ(all.FaceKind, few.FaceKind);
-  EXPECT_EQ(all.MappingGroup, few.MappingGroup);
-  EXPECT_EQ(all.Piece, few.Piece);
-  EXPECT_EQ(all.PointKind, few.PointKind);
-  EXPECT_EQ(all.EndCapVolume, few.EndCapVolume);
-  EXPECT_EQ(all.IsolatedVolume, few.IsolatedVolume);
-  EXPECT_EQ(all.Report, few.Report);
+  ExpectSameSurface(few, all);
 }
 
 /// The thesis's own method, and what users get.

@@ -8,6 +8,7 @@
 #ifndef recon_Testing_Perturbations_h
 #define recon_Testing_Perturbations_h
 
+#include "NodeDefaults.h"
 #include "PolyhedralSweep.h"
 
 #include <algorithm>
@@ -150,11 +151,8 @@ private:
 /// The options that users meet.
 inline PolyhedralOptions OptionsOfUsers()
 {
-  PolyhedralOptions options;
-  options.Mapping = PolyhedralOptions::Overlap;
+  PolyhedralOptions options = NodeOptions();
   options.AlignLevels = LevelAlignmentMode::Automatic;
-  options.EndCaps = PolyhedralOptions::Tapered;
-  options.IsolatedContours = PolyhedralOptions::Extrude;
   return options;
 }
 

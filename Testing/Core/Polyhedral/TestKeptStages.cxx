@@ -4,6 +4,7 @@
 #include "Polyhedral/KeptStages.h"
 #include "Polyhedral/PolyhedralSurface.h"
 #include "PolyhedralShapes.h"
+#include "SameSurface.h"
 
 #include <gtest/gtest.h>
 
@@ -87,20 +88,6 @@ private:
   std::vector<std::vector<Ring>> Levels;
 };
 
-void ExpectSame(const PolyhedralSurface& kept, const PolyhedralSurface& fresh)
-{
-  EXPECT_EQ(kept.Mesh.Points, fresh.Mesh.Points);
-  EXPECT_EQ(kept.Mesh.Triangles, fresh.Mesh.Triangles);
-  EXPECT_EQ(kept.Slab, fresh.Slab);
-  EXPECT_EQ(kept.FaceKind, fresh.FaceKind);
-  EXPECT_EQ(kept.MappingGroup, fresh.MappingGroup);
-  EXPECT_EQ(kept.Piece, fresh.Piece);
-  EXPECT_EQ(kept.PointKind, fresh.PointKind);
-  EXPECT_EQ(kept.EndCapVolume, fresh.EndCapVolume);
-  EXPECT_EQ(kept.IsolatedVolume, fresh.IsolatedVolume);
-  EXPECT_EQ(kept.Report, fresh.Report);
-}
-
 PolyhedralOptions OptionsOf(unsigned seed)
 {
   PolyhedralOptions options;
@@ -126,7 +113,7 @@ std::size_t ExpectSameAfterEdits(unsigned seed, int levels, int edits, Tetrahedr
   {
     SCOPED_TRACE("edit " + std::to_string(edit));
     const ContourSet contours = stack.Build();
-    ExpectSame(BuildPolyhedralSurface(contours, options, monitor, wanted, &kept),
+    ExpectSameSurface(BuildPolyhedralSurface(contours, options, monitor, wanted, &kept),
       BuildPolyhedralSurface(contours, options, monitor, wanted));
     made += edit > 0 ? kept.LevelsMade() : 0;
     stack.Edit();
@@ -170,7 +157,7 @@ TEST(KeptStages, MakeNothingWhereNothingChanged)
   const PolyhedralSurface first =
     BuildPolyhedralSurface(contours, options, monitor, TetrahedraWanted::ForSurface, &kept);
   EXPECT_EQ(kept.LevelsMade(), contours.Levels.size());
-  ExpectSame(
+  ExpectSameSurface(
     BuildPolyhedralSurface(contours, options, monitor, TetrahedraWanted::ForSurface, &kept), first);
   EXPECT_EQ(kept.LevelsMade(), 0u);
   options.IsolatedContours = PolyhedralOptions::Drop;

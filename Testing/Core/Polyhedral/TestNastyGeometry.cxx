@@ -2,6 +2,7 @@
 // What nobody draws and programs write: every promise, with every combination of options, upright and
 // tilted. Where the shape is a prism its volume is known.
 #include "DegenerateStacks.h"
+#include "NodeDefaults.h"
 
 #include <gtest/gtest.h>
 
@@ -46,11 +47,7 @@ void ExpectNothingLeftOut(const SoupMaker& maker)
 {
   const ContourSet contours = maker.Build();
   ASSERT_GE(contours.Levels.size(), 2u);
-  PolyhedralOptions options;
-  options.Mapping = PolyhedralOptions::Overlap;
-  options.EndCaps = PolyhedralOptions::Tapered;
-  options.IsolatedContours = PolyhedralOptions::Extrude;
-  const LeftOut leftOut = ContoursLeftOut(BuildSurface(contours, options));
+  const LeftOut leftOut = ContoursLeftOut(BuildSurface(contours, NodeOptions()));
   EXPECT_EQ(leftOut.Wholly.size() + leftOut.InPart.size(), 0u);
 }
 

@@ -2,6 +2,7 @@
 // Real sets turned out of the axes, as they are and stored with three decimals, so that points lie beside their
 // planes: no surface crosses itself in the coordinates that are given out.
 #include "DegenerateStacks.h"
+#include "NodeDefaults.h"
 #include "PolyhedralSweep.h"
 
 using namespace recon;
@@ -26,11 +27,7 @@ void ExpectSoundTilted(const LoopSoup& soup, unsigned seed, double unit)
   {
     return;
   }
-  PolyhedralOptions options;
-  options.Mapping = PolyhedralOptions::Overlap;
-  options.EndCaps = PolyhedralOptions::Tapered;
-  options.IsolatedContours = PolyhedralOptions::Extrude;
-  const PolyhedralSurface surface = BuildSurface(contours, options);
+  const PolyhedralSurface surface = BuildSurface(contours, NodeOptions());
   ExpectSoundSurface(surface.Mesh);
   const LeftOut leftOut = ContoursLeftOut(surface);
   ExpectContourVertices(surface, WithoutContours(contours, leftOut.Wholly));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pieces and handles that are asked for, on stacks whose own are plain to see.
 #include "Mesh/PiecesAndHandles.h"
+#include "NodeDefaults.h"
 #include "Polyhedral/ContractMapping.h"
 #include "Polyhedral/TopologyContract.h"
 #include "PolyhedralShapes.h"
@@ -40,10 +41,7 @@ Ring Slat(double x0, double x1, double y0 = 0, double y1 = 1)
 
 PolyhedralOptions Asking(int pieces, int handles)
 {
-  PolyhedralOptions options;
-  options.Mapping = PolyhedralOptions::Overlap;
-  options.EndCaps = PolyhedralOptions::Tapered;
-  options.IsolatedContours = PolyhedralOptions::Extrude;
+  PolyhedralOptions options = NodeOptions();
   options.ExpectedPieces = pieces;
   options.ExpectedHandles = handles;
   return options;

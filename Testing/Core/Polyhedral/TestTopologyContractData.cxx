@@ -2,6 +2,7 @@
 // Pieces and handles that are asked for, of contours of others.
 #include "Core/SetsOfData.h"
 #include "Mesh/PiecesAndHandles.h"
+#include "NodeDefaults.h"
 #include "PolyhedralShapes.h"
 #include "SurfaceInvariants.h"
 
@@ -24,10 +25,7 @@ void ExpectMet(const std::string& file, int pieces, int handles)
   }
   Monitor monitor;
   const ContourSet contours = BuildContourSet(ReadSoups(path)[0].second, {}, monitor);
-  PolyhedralOptions options;
-  options.Mapping = PolyhedralOptions::Overlap;
-  options.EndCaps = PolyhedralOptions::Tapered;
-  options.IsolatedContours = PolyhedralOptions::Extrude;
+  PolyhedralOptions options = NodeOptions();
   options.ExpectedPieces = pieces;
   options.ExpectedHandles = handles;
   const PolyhedralSurface surface = BuildSurface(contours, options);

@@ -10,19 +10,6 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 simple = ct.load_plugin()
 
 
-def silent(algorithm):
-    """Collect errors and warnings instead of printing them."""
-    heard = {"ErrorEvent": [], "WarningEvent": []}
-    for event, lines in heard.items():
-        def listen(_caller, _event, text=None, lines=lines):
-            lines.append(text)
-        listen.CallDataType = "string0"
-        algorithm.AddObserver(event, listen)
-    # The executive has a line of its own to say about an algorithm that failed.
-    algorithm.GetExecutive().AddObserver("ErrorEvent", lambda *_: None)
-    return heard
-
-
 def read(path):
     return ct.data(simple.BRepReader(FileName=path))
 
@@ -33,7 +20,7 @@ def write(path, surface, contours=None):
         os.remove(path)
     writer = simple.servermanager.writers.BRepWriter()
     algorithm = writer.GetClientSideObject()
-    heard = silent(algorithm)
+    heard = ct.silent(algorithm)
     algorithm.SetInputDataObject(0, surface)
     if contours is not None:
         algorithm.SetInputDataObject(1, contours)
@@ -180,7 +167,7 @@ for k in range(100):
         file.write("\n".join(mutation))
     proxy = simple.servermanager.sources.BRepReader()
     algorithm = proxy.GetClientSideObject()
-    heard = silent(algorithm)
+    heard = ct.silent(algorithm)
     proxy.FileName = path
     proxy.UpdateVTKObjects()
     algorithm.Update()

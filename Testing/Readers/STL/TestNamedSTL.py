@@ -56,13 +56,7 @@ def write(name, data):
     """The writer's error code, and what it said."""
     proxy = simple.servermanager.writers.NamedSTLWriter()
     algorithm = proxy.GetClientSideObject()
-    heard = {"ErrorEvent": [], "WarningEvent": []}
-    for event, lines in heard.items():
-        def listen(_caller, _event, text=None, lines=lines):
-            lines.append(text)
-        listen.CallDataType = "string0"
-        algorithm.AddObserver(event, listen)
-    algorithm.GetExecutive().AddObserver("ErrorEvent", lambda *_: None)
+    heard = ct.silent(algorithm)
     algorithm.SetInputDataObject(0, data)
     proxy.FileName = place(name)
     proxy.UpdateVTKObjects()
