@@ -11,24 +11,47 @@ using namespace delaunay;
 
 namespace
 {
-using Gabriel = CGAL::Mesh_2::Is_locally_conforming_Gabriel<Triangulation>;
 using Clusters = CGAL::Mesh_2::Clusters<Triangulation>;
 
-/// An edge with one more point on its circle is Delaunay, too; CGAL's own predicate would split it.
-struct LocallyDelaunay
+/// What the refinement asks of an edge, in the two ways in which it names one.
+template <typename Condition>
+struct Locally
 {
   bool operator()(const Triangulation& triangulation, FaceHandle face, int k) const
   {
-    const VertexHandle far = triangulation.tds().mirror_vertex(face, k);
-    return triangulation.is_infinite(face) || triangulation.is_infinite(far) ||
-      triangulation.side_of_oriented_circle(face, far->point()) != CGAL::ON_POSITIVE_SIDE;
+    return Condition::Holds(triangulation, face, k);
   }
 
   bool operator()(const Triangulation& triangulation, VertexHandle a, VertexHandle b) const
   {
     FaceHandle face;
     int k = 0;
-    return !triangulation.is_edge(a, b, face, k) || (*this)(triangulation, face, k);
+    return !triangulation.is_edge(a, b, face, k) || Condition::Holds(triangulation, face, k);
+  }
+};
+
+/// Neither apex of the edge is in its diametral circle or on it. CGAL's own predicate lets one be on
+/// it from release 6.2 on, so the points that are added would depend on the release.
+struct Gabriel
+{
+  static bool Holds(const Triangulation& triangulation, FaceHandle face, int k)
+  {
+    const auto& a = face->vertex(Triangulation::cw(k))->point();
+    const auto& b = face->vertex(Triangulation::ccw(k))->point();
+    const auto isOutside = [&](VertexHandle apex)
+    { return triangulation.is_infinite(apex) || CGAL::angle(a, apex->point(), b) == CGAL::ACUTE; };
+    return isOutside(face->vertex(k)) && isOutside(triangulation.tds().mirror_vertex(face, k));
+  }
+};
+
+/// An edge with one more point on its circle is Delaunay, too; CGAL's own predicate would split it.
+struct Delaunay
+{
+  static bool Holds(const Triangulation& triangulation, FaceHandle face, int k)
+  {
+    const VertexHandle far = triangulation.tds().mirror_vertex(face, k);
+    return triangulation.is_infinite(face) || triangulation.is_infinite(far) ||
+      triangulation.side_of_oriented_circle(face, far->point()) != CGAL::ON_POSITIVE_SIDE;
   }
 };
 
@@ -113,11 +136,11 @@ RefinementOutcome Refine(Triangulation& triangulation, std::size_t maximumPoints
 
 RefinementOutcome RefineToGabriel(Triangulation& triangulation, std::size_t maximumPoints)
 {
-  return Refine<Gabriel>(triangulation, maximumPoints);
+  return Refine<Locally<Gabriel>>(triangulation, maximumPoints);
 }
 
 RefinementOutcome RefineToDelaunay(Triangulation& triangulation, std::size_t maximumPoints)
 {
-  return Refine<LocallyDelaunay>(triangulation, maximumPoints);
+  return Refine<Locally<Delaunay>>(triangulation, maximumPoints);
 }
 }
