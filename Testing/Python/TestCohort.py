@@ -129,6 +129,8 @@ made = subprocess.Popen([PYTHON, SCRIPT, ct.own("head.cnt"), ct.own("brain.cnt")
 time.sleep(4)
 made.send_signal(signal.SIGINT)
 out, err = made.communicate(timeout=60)
+# On a slow machine MPI may still be starting below ParaView, and then its own daemon has a word.
+err = "\n".join(line for line in err.splitlines() if "ORTE_ERROR_LOG" not in line)
 ct.check(made.returncode == 130 and err.splitlines()[-1] == "contour-reconstruct: stopped." and "Traceback" not in err and
          "Stack" not in err, f"Ctrl-C: {made.returncode} {err}")
 ct.check("not tried." in out, f"what was done is told: {out}")
