@@ -2,10 +2,12 @@
 #include "Fair/EvenPasses.h"
 
 #include "Base/Angles.h"
+#include "Base/Geometry.h"
 #include "Base/Parallel.h"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <tuple>
 #include <utility>
 
@@ -28,10 +30,17 @@ constexpr double NeedleTangent = 0.03;
 constexpr double GoodTangent = 0.42;
 /// Of no triangle's least angle, which is at most 60 degrees.
 constexpr double MostTangent = 2;
+/// Of the least angle of slivers, below which they are mended: a fifth above FairLeastAngle.
+const double SliverTangent = std::tan(FairLeastAngle * 1.2 * Pi / 180);
 /// Triangles whose least angle's tangent is above this stay as they are.
 constexpr double PerfectTangent = 1;
 /// A point that is spread is looked for on the surface within so many edge lengths.
 constexpr double Reach = 1;
+/// A corner of a sliver is shifted by the first of these parts of an edge's length at most, or by one of the halves
+/// of it; in so many directions.
+constexpr double FarthestShift = 0.4;
+constexpr int ShiftLengths = 4;
+constexpr int ShiftDirections = 8;
 constexpr int MostPasses = 6;
 constexpr std::size_t PointsABlock = 1024;
 
@@ -156,12 +165,14 @@ double EvenPasses::QualityOfCollapse(int from, int into, double cosine) const
 {
   double before = MostTangent;
   double after = MostTangent;
+  int slivers = 0; // fewer
   const std::vector<int> around = this->Mesh.Around(from);
   const double wanted = this->AgreementWanted(around, cosine);
   for (const int t : around)
   {
     Triangle moved = this->Mesh.Triangles[t];
     before = std::min(before, this->Mesh.LeastTangent(t));
+    slivers += this->Mesh.LeastTangent(t) < SliverTangent ? 1 : 0;
     if (this->Mesh.CornerOf(t, into) >= 0)
     {
       continue;
@@ -184,8 +195,11 @@ double EvenPasses::QualityOfCollapse(int from, int into, double cosine) const
       return -1;
     }
     after = std::min(after, this->Mesh.LeastTangent(moved));
+    slivers -= this->Mesh.LeastTangent(moved) < SliverTangent ? 1 : 0;
   }
-  return after > std::min(before, 0.5 * GoodTangent) ? after : -1;
+  // Of a cluster of slivers some may stay for the next.
+  const bool isFewer = cosine < UsualCosine && slivers > 0 && after > 0.5 * before;
+  return isFewer || after > std::min(before, 0.5 * GoodTangent) ? after : -1;
 }
 
 std::vector<KeptPlaces::Change> EvenPasses::AfterCollapse(
@@ -425,14 +439,14 @@ void EvenPasses::Spread()
   }
 }
 
-/// Moves a point, unless that makes things worse.
-void EvenPasses::Place(int v, Point3& place, Vector3& normal)
+/// Moves a point where isWell(triangles around) then, and nothing is crossed or lost. @returns whether it did
+template <typename Test>
+bool EvenPasses::Put(int v, Point3& place, Vector3& normal, const Test& isWell)
 {
   const std::vector<int> around = this->Mesh.Around(v);
   const bool look = this->AnyThin(around);
   const auto way =
     look ? this->Watch.WayOf(around, v, place) : std::vector<CrossingWatch::Tetrahedron>();
-  const double before = this->QualityOf(around);
   const auto exchange = [&]
   {
     std::swap(this->Mesh.Points[v], place);
@@ -445,17 +459,83 @@ void EvenPasses::Place(int v, Point3& place, Vector3& normal)
   {
     after.emplace_back(t, this->Mesh.Triangles[t]);
   }
-  if (!(this->QualityOf(around) > std::min(before, GoodTangent)) ||
-    !this->Kept.MayChange(around, after) ||
-    (look && (this->Watch.AnyCrosses(around) || this->Watch.AnyPointWithin(way))))
-  {
-    exchange();
-  }
-  else
+  const bool isMoved = isWell(around) && this->Kept.MayChange(around, after) &&
+    !(look && (this->Watch.AnyCrosses(around) || this->Watch.AnyPointWithin(way)));
+  if (isMoved)
   {
     this->Kept.Commit();
   }
+  else
+  {
+    exchange();
+  }
   this->Watch.Register(around);
+  return isMoved;
+}
+
+/// Moves a point, unless that makes things worse. @returns whether it did
+bool EvenPasses::Place(int v, Point3& place, Vector3& normal)
+{
+  const double before = this->QualityOf(this->Mesh.Around(v));
+  return this->Put(v, place, normal,
+    [&](const std::vector<int>& around)
+    { return this->QualityOf(around) > std::min(before, GoodTangent); });
+}
+
+/// More is better: first by how many are slivers, then by the least angle.
+double EvenPasses::AngleScore(const std::vector<int>& triangles) const
+{
+  double least = MostTangent;
+  double slivers = 0;
+  for (const int t : triangles)
+  {
+    least = std::min(least, this->Mesh.LeastTangent(t));
+    slivers += this->Mesh.LeastTangent(t) < SliverTangent ? 1 : 0;
+  }
+  return least / (2 * MostTangent) - slivers;
+}
+
+/// Of a sliver that neither flips nor collapses: a corner to the place beside it, along the surface, where
+/// the triangles at it have larger angles.
+bool EvenPasses::Shift(int t)
+{
+  std::vector<std::tuple<double, int, Point3>> shifts;
+  for (const int v : Triangle(this->Mesh.Triangles[t]))
+  {
+    if (this->Mesh.OnBorder[v] || this->Mesh.IsOnCrease(v))
+    {
+      continue;
+    }
+    const std::vector<int> around = this->Mesh.Around(v);
+    const double before = this->AngleScore(around);
+    const PlanarFrame frame = PlanarFrame::About(this->Normals[v]);
+    const Point3 here = this->Mesh.Points[v];
+    double length = FarthestShift * this->EdgeLength;
+    for (int shift = 0; shift < ShiftLengths * ShiftDirections; ++shift)
+    {
+      const double angle = 2 * Pi * shift / ShiftDirections;
+      this->Mesh.Points[v] =
+        here + ((length * std::cos(angle)) * frame.U + (length * std::sin(angle)) * frame.V);
+      this->Mesh.Forget(around);
+      const double after = this->AngleScore(around);
+      if (after > before)
+      {
+        shifts.emplace_back(after, v, this->Mesh.Points[v]);
+      }
+      length *= (shift + 1) % ShiftDirections == 0 ? 0.5 : 1;
+    }
+    this->Mesh.Points[v] = here;
+    this->Mesh.Forget(around);
+  }
+  std::sort(shifts.begin(), shifts.end(), std::greater<>());
+  return std::any_of(shifts.begin(), shifts.end(),
+    [&](const auto& shift)
+    {
+      const int v = std::get<1>(shift);
+      Point3 place = std::get<2>(shift);
+      Vector3 normal = this->Normals[v];
+      return this->Put(v, place, normal, [](const std::vector<int>&) { return true; });
+    });
 }
 
 bool EvenPasses::Mend(int t, double cosine)
@@ -472,21 +552,23 @@ bool EvenPasses::Mend(int t, double cosine)
   std::sort(sides.begin(), sides.end());
   const Triangle corners = this->Mesh.Triangles[t];
   return std::any_of(sides.begin(), sides.end(),
-    [&](const auto& side) {
-      return this->Collapse(corners[(side.second + 1) % 3], corners[(side.second + 2) % 3], cosine);
-    });
+           [&](const auto& side)
+           {
+             return this->Collapse(
+               corners[(side.second + 1) % 3], corners[(side.second + 2) % 3], cosine);
+           }) ||
+    (cosine < UsualCosine && this->Shift(t));
 }
 
 void EvenPasses::MendSlivers()
 {
-  const double least = std::tan(FairLeastAngle * 1.2 * Pi / 180);
   for (int pass = 0; pass < MostPasses; ++pass)
   {
     std::size_t mended = 0;
     const double cosine = 2 * pass < MostPasses ? UsualCosine : LeastCosine;
     for (int t = 0; t < static_cast<int>(this->Mesh.Triangles.size()); ++t)
     {
-      if (this->Mesh.IsAlive(t) && this->Mesh.LeastTangent(t) < least)
+      if (this->Mesh.IsAlive(t) && this->Mesh.LeastTangent(t) < SliverTangent)
       {
         mended += this->Mend(t, cosine) ? 1 : 0;
       }

@@ -13,6 +13,7 @@
 #include "Fair/LinkedMesh.h"
 #include "Fair/SurfacePlaces.h"
 
+#include <utility>
 #include <vector>
 
 namespace recon
@@ -42,7 +43,7 @@ public:
   void Flip();
   /// Every point that is not on a crease to the middle of those around it, along the surface.
   void Spread();
-  /// Triangles below FairLeastAngle: flips their longest side, or collapses their shortest.
+  /// Triangles below FairLeastAngle: flips their longest side, or collapses their shortest, or shifts a corner.
   void MendSlivers();
 
   LinkedMesh Mesh;
@@ -60,7 +61,11 @@ private:
   bool FlipIfBetter(int t, int k, double cosine);
   int TerminalOf(int t) const;
   Point3 Middle(int v) const;
-  void Place(int v, Point3& place, Vector3& normal);
+  bool Place(int v, Point3& place, Vector3& normal);
+  double AngleScore(const std::vector<int>& triangles) const;
+  template <typename Test>
+  bool Put(int v, Point3& place, Vector3& normal, const Test& isWell);
+  bool Shift(int t);
   bool AnyThin(const std::vector<int>& triangles) const;
   std::vector<KeptPlaces::Change> AfterCollapse(
     const std::vector<int>& around, int from, int into) const;

@@ -24,6 +24,10 @@ constexpr double Reach = 2;
 constexpr double MoreWeight = 10;
 constexpr int LeastSolves = 2;
 constexpr int MostSolves = 3;
+/// So many times the bend is evened out, in the first solve, which lengths and tension are taken from, and in later
+/// ones.
+constexpr int FirstEvenings = 1;
+constexpr int Evenings = 3;
 /// Passes over the samples that are too far, which are brought to this part of the tolerance; rounds of
 /// passes with what crosses, or becomes thin, taken back; and after these rounds in which angles may
 /// become small, as the tolerance comes first.
@@ -146,7 +150,8 @@ FairSolution SolveWithin(const TriangleMesh& mesh, std::vector<Pull>& pulls, dou
       tensions = TensionByBend(mesh, system.BendOf(mesh.Points), system.BendOf(moved.Points),
         options.Scale / options.EdgeLength);
     }
-    moved.Points = system.Solve(moved.Points, pulls, tensions);
+    moved.Points =
+      system.Solve(moved.Points, pulls, tensions, solve == 0 ? FirstEvenings : Evenings);
     const std::size_t missed = PullAgain(SurfacePlaces(moved), pulls, options, silent);
     if (missed == 0 && solve + 1 >= LeastSolves)
     {

@@ -26,6 +26,10 @@ constexpr double MostCotangent = 6;
 constexpr double LeastArea = 0.1;
 /// So much of the diagonal's median keeps points without any pull around from drifting.
 constexpr double Anchorage = 1e-10;
+/// Of means of each point and those beside it, by which a bend is evened out. Measured on half of the sets of
+/// Data/TRUTH_FAIR.md: mean distances are 1.001, .978, .962 of the better other method's with 4, 8 and 16 rounds, and
+/// .974 with as many as reach over the slices' distance.
+constexpr int RoundsOfEvening = 16;
 constexpr std::size_t ColumnsABlock = 2048;
 
 /// A matrix with zeros at the rows given, a list a column, in increasing order.
@@ -71,7 +75,8 @@ struct FairSystem::Implementation
   Matrix Tense;                 ///< the same, by the points' tension
   std::vector<std::array<int, 6>>
     Places; ///< of a triangle's sides among the membrane's values, both ways
-  Eigen::VectorXd InverseAreas;
+  Eigen::VectorXd Areas;
+  Eigen::VectorXd InverseAreas; ///< by what the plate weighs there
   Eigen::VectorXd Kept;
   Eigen::VectorXd Creased; ///< 0 where the surface bends as it likes, else 1
   Eigen::MatrixXd Rest;
@@ -204,7 +209,8 @@ struct FairSystem::Implementation
       *diagonal = -sum;
     }
     const double least = LeastArea * areas.mean();
-    this->InverseAreas = areas.cwiseMax(least).cwiseInverse().cwiseProduct(this->Creased);
+    this->Areas = areas.cwiseMax(least);
+    this->InverseAreas = this->Areas.cwiseInverse().cwiseProduct(this->Creased);
   }
 
   /// Each edge of the membrane by the mean of its ends' tension, and areas by what is left for the plate.
@@ -327,8 +333,74 @@ struct FairSystem::Implementation
     right += anchorage * this->Rest;
   }
 
+  /// Unit normals, a row a point.
+  Eigen::MatrixXd NormalsOf(const Eigen::MatrixXd& at) const
+  {
+    Eigen::MatrixXd normals = Eigen::MatrixXd::Zero(this->Count(), 3);
+    for (const auto& t : this->Mesh.Triangles)
+    {
+      const Eigen::RowVector3d from = at.row(this->Rank[t[0]]);
+      const Eigen::RowVector3d u = at.row(this->Rank[t[1]]) - from;
+      const Eigen::RowVector3d v = at.row(this->Rank[t[2]]) - from;
+      const Eigen::RowVector3d normal = u.cross(v);
+      for (const int p : t)
+      {
+        normals.row(this->Rank[p]) += normal;
+      }
+    }
+    // One of no direction stays nothing.
+    normals.rowwise().normalize();
+    return normals;
+  }
+
+  /// Of each point the mean of itself and those beside it, by their areas, again and again; what bends as
+  /// it likes says nothing.
+  Eigen::VectorXd EvenedOut(Eigen::VectorXd values) const
+  {
+    const Eigen::VectorXd weights = this->Areas.cwiseProduct(this->Creased);
+    Eigen::VectorXd next(this->Count());
+    for (int round = 0; round < RoundsOfEvening; ++round)
+    {
+      ParallelForBlocks(static_cast<std::size_t>(this->Count()), ColumnsABlock, this->Threads,
+        [&](std::size_t from, std::size_t to)
+        {
+          for (int p = static_cast<int>(from); p < static_cast<int>(to); ++p)
+          {
+            // A point is a corner of half as many triangles as those beside it together.
+            const int* column = this->Membrane.outerIndexPtr() + p;
+            const double own = 0.5 * (column[1] - column[0] - 3);
+            double sum = own * weights[p] * values[p];
+            double weight = own * weights[p];
+            for (Matrix::InnerIterator beside(this->Membrane, p); beside; ++beside)
+            {
+              sum += weights[beside.row()] * values[beside.row()];
+              weight += weights[beside.row()];
+            }
+            next[p] = weight > 0 ? sum / weight : values[p];
+          }
+        },
+        this->Observer, { 0, 0, "fairing" });
+      values.swap(next);
+    }
+    return values;
+  }
+
+  /// What the right side gets so that the surface bends as this one does, evened out.
+  Eigen::MatrixXd EvenBend(const Eigen::MatrixXd& at) const
+  {
+    const Eigen::MatrixXd normals = this->NormalsOf(at);
+    const Eigen::MatrixXd bent = this->Membrane * at;
+    const Eigen::VectorXd bends = this->EvenedOut(
+      bent.cwiseProduct(normals).rowwise().sum().cwiseProduct(this->Areas.cwiseInverse()));
+    const Eigen::VectorXd wanted =
+      this->InverseAreas.cwiseProduct(this->Areas)
+        .cwiseProduct(Eigen::VectorXd::Ones(this->Count()) - this->Kept)
+        .cwiseProduct(bends);
+    return this->Membrane * (wanted.asDiagonal() * normals);
+  }
+
   std::vector<Point3> Solve(const std::vector<Point3>& shape, const std::vector<Pull>& pulls,
-    const std::vector<double>& tension)
+    const std::vector<double>& tension, int evenings)
   {
     this->Measure(shape);
     this->MakeTense(tension);
@@ -343,7 +415,12 @@ struct FairSystem::Implementation
       throw Error("The equations of the fair surface could not be solved; choose a larger Edge "
                   "Length or Tolerance.");
     }
-    const Eigen::MatrixXd solved = this->Factor->Solve(right);
+    Eigen::MatrixXd solved = this->Factor->Solve(right);
+    for (int evening = 0; evening < evenings; ++evening)
+    {
+      this->Observer.Update(0, "fairing");
+      solved = this->Factor->Solve(right + this->EvenBend(solved));
+    }
     std::vector<Point3> places(this->Mesh.Points.size());
     for (std::size_t p = 0; p < places.size(); ++p)
     {
@@ -380,9 +457,9 @@ FairSystem::FairSystem(const TriangleMesh& mesh, const std::vector<double>& kept
 FairSystem::~FairSystem() = default;
 
 std::vector<Point3> FairSystem::Solve(const std::vector<Point3>& shape,
-  const std::vector<Pull>& pulls, const std::vector<double>& tension)
+  const std::vector<Pull>& pulls, const std::vector<double>& tension, int evenings)
 {
-  return this->Impl->Solve(shape, pulls, tension);
+  return this->Impl->Solve(shape, pulls, tension, evenings);
 }
 
 std::vector<double> FairSystem::BendOf(const std::vector<Point3>& shape)

@@ -35,10 +35,16 @@ constexpr double Crease = 2;
  * With x the places of the points, x0 those at rest, k how much of it is kept, h the scale and t the tension, which may
  * differ from point to point, it makes
  *
- *     ∫(1 - t) |Δx - k Δx0|² + s / h² ∫t |∇(x - x0)|² + Σ Weight / h³ |x(From) - To|²
+ *     ∫(1 - t) |Δx - k Δx0 - (1 - k) b n|² + s / h² ∫t |∇(x - x0)|² + Σ Weight / h³ |x(From) - To|²
  *
  * least. Δ is the Laplacian (cotangents) of the mesh in a given shape. t = 1 leaves the points at rest
  * as far as pulls allow. The order of the unknowns is found once, for any number of shapes.
+ *
+ * b is how much the surface bends, n its normal. A plate at first, b = 0, which is too flat wherever nothing pulls: the
+ * least that a ball can bend is to be no ball. Then, a few times, b is the bend (along n) of the surface
+ * found before, evened out: what is looked for bends evenly rather than little (as surfaces of least
+ * variation of curvature, Moreton and Sequin 1992), so that a ball stays a ball, and an end goes on as
+ * round as what leads to it. Each time costs a solution, but no factorisation.
  */
 class FairSystem
 {
@@ -53,9 +59,10 @@ public:
   FairSystem& operator=(const FairSystem&) = delete;
 
   /// The points' new places. @param shape places of the points whose lengths and angles count
-  /// @param tension a point @throws Error where the equations have no answer; Aborted
+  /// @param tension a point @param evenings so many times the bend is evened out; 0: a plate
+  /// @throws Error where the equations have no answer; Aborted
   std::vector<Point3> Solve(const std::vector<Point3>& shape, const std::vector<Pull>& pulls,
-    const std::vector<double>& tension);
+    const std::vector<double>& tension, int evenings);
 
   /// How much a mesh in this shape bends at its points: the length of Δx, the sum of both curvatures; 0
   /// where it bends as it likes. In units of one by the scale.

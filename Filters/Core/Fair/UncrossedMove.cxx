@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Fair/UncrossedMove.h"
 
+#include "Base/BoundingBox.h"
 #include "Fair/LinkedMesh.h"
 #include "Fair/TurnedPieces.h"
 #include "Mesh/SelfIntersections.h"
 #include "Mesh/TriangleComponents.h"
 
 #include <algorithm>
+#include <map>
 
 namespace recon
 {
@@ -195,7 +197,20 @@ private:
     }
   }
 
-  /// The points of pieces that were well and are turned now, though nothing crosses.
+  /// All that a triangle has gone through lies in it.
+  Box3 WayOf(const TriangleMesh& mesh, int t) const
+  {
+    Box3 way;
+    for (const int v : mesh.Triangles[t])
+    {
+      way.Add(this->Given.Points[v]);
+      way.Add(mesh.Points[v]);
+    }
+    return way;
+  }
+
+  /// The points of pieces that were well and are turned now, though nothing crosses; and those that may
+  /// have passed over such a piece, which is inside another one then, wherever it stays.
   std::vector<char> FindTurned(const TriangleMesh& mesh)
   {
     if (this->Pieces.Of.empty())
@@ -204,13 +219,25 @@ private:
       this->Before = FindTurnedPieces(this->Given, this->Pieces);
     }
     const std::vector<char> after = FindTurnedPieces(mesh, this->Pieces);
-    std::vector<char> turned(mesh.Points.size(), 0);
-    for (std::size_t t = 0; t < mesh.Triangles.size(); ++t)
+    const int count = static_cast<int>(mesh.Triangles.size());
+    std::map<int, Box3> ways; // of the turned pieces
+    for (int t = 0; t < count; ++t)
     {
       const int piece = this->Pieces.Of[t];
+      if (after[piece] && !this->Before[piece])
+      {
+        ways[piece].Add(this->WayOf(mesh, t));
+      }
+    }
+    std::vector<char> turned(mesh.Points.size(), 0);
+    for (int t = 0; t < count && !ways.empty(); ++t)
+    {
+      const Box3 way = this->WayOf(mesh, t);
+      const bool isNear = ways.count(this->Pieces.Of[t]) > 0 ||
+        std::any_of(ways.begin(), ways.end(), [&](const auto& of) { return of.second.Meets(way); });
       for (const int v : mesh.Triangles[t])
       {
-        turned[v] = after[piece] && !this->Before[piece] && this->Share[v] > 0 ? 1 : turned[v];
+        turned[v] = isNear && this->Share[v] > 0 ? 1 : turned[v];
       }
     }
     return turned;

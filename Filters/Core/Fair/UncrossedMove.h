@@ -23,7 +23,7 @@ struct UncrossedMove
 
 /**
  * Points around triangles that cross, and those of closed components that turn inside out or get into
- * others, go half the way, a quarter, and so on, and in the end stay, over
+ * others, or pass over them, go half the way, a quarter, and so on, and in the end stay, over
  * a neighbourhood that grows: as the given mesh does not cross itself, it comes to an end.
  *
  * @param leastAngle (radians) below this no triangle's least angle may come by the move; 0: any may

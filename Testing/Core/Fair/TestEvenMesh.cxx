@@ -106,6 +106,31 @@ TEST(EvenMesh, KeepsPlaces)
   }
 }
 
+TEST(EvenMesh, MendsWholeClustersOfSlivers)
+{
+  // A band of a torus pressed to a thirtieth of its width: each triangle there has slivers on all sides.
+  Monitor monitor;
+  TriangleMesh torus = MakeEvenMesh(MakeTorus(3, 1, 100, 30), {}, {}, 0.2, 1, monitor).Mesh;
+  for (Point3& p : torus.Points)
+  {
+    const double around = std::hypot(p[0], p[1]);
+    const double angle = std::atan2(p[1], p[0]);
+    const double pressed = angle < 0 || angle > 0.6 ? angle
+      : angle < 0.3                                 ? angle / 30
+                                                    : 0.01 + (angle - 0.3) * 0.59 / 0.3;
+    p = { around * std::cos(pressed), around * std::sin(pressed), p[2] };
+  }
+  const double degrees = FairLeastAngle;
+  ASSERT_LT(ComputeSmallestAngle(torus), 0.5 * degrees);
+  const TriangleMesh mended = MendMesh(torus, {}, {}, 0.2, 1, monitor);
+  EXPECT_GT(ComputeSmallestAngle(mended), degrees);
+  ExpectSoundSurface(mended);
+  EXPECT_EQ(CheckTopology(mended).Total.Euler, 0);
+  const auto volumeOf = [](const TriangleMesh& mesh)
+  { return ComputeSignedVolumes(mesh, std::vector<int>(mesh.Triangles.size(), 0), 1).front(); };
+  EXPECT_NEAR(volumeOf(mended), volumeOf(torus), 0.01 * volumeOf(torus));
+}
+
 TEST(EvenPasses, SplittingKeepsTheShape)
 {
   const TriangleMesh cube = MakeCube();

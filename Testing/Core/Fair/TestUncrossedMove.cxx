@@ -97,6 +97,31 @@ TEST(UncrossedMove, PutsNoComponentIntoAnother)
   EXPECT_FALSE(FindSelfIntersections(moved.Mesh, monitor).Any());
 }
 
+TEST(UncrossedMove, PassesOverNoComponent)
+{
+  // A large ball grows past a small one that stays where it is.
+  TriangleMesh balls = MakeSphere(24, 12);
+  TriangleMesh small = MakeSphere(8, 4);
+  for (Point3& p : small.Points)
+  {
+    p = 0.05 * p;
+  }
+  Move(small, { 1.2, 0, 0 });
+  const std::size_t first = balls.Points.size();
+  Append(balls, small);
+  std::vector<Point3> places = balls.Points;
+  for (std::size_t p = 0; p < first; ++p)
+  {
+    places[p] = 1.5 * places[p];
+  }
+  Monitor monitor;
+  const UncrossedMove moved = MoveUncrossed(balls, places, 0, {}, 1, monitor);
+  EXPECT_TRUE(CheckTopology(moved.Mesh).Total.Outward);
+  EXPECT_FALSE(FindSelfIntersections(moved.Mesh, monitor).Any());
+  EXPECT_GT(moved.HeldBack, 0u);
+  EXPECT_LT(moved.HeldBack, first / 2);
+}
+
 TEST(UncrossedMove, GoesOnToPassPlaces)
 {
   // A ball that shrinks away from places beside it, of which one is a point of it; elsewhere it goes all the way.
