@@ -132,6 +132,41 @@ bool CrossingWatch::AnyPointWithin(const std::vector<Tetrahedron>& way) const
     });
 }
 
+bool CrossingWatch::TurnsPiece(const std::vector<int>& around, int v, const Point3& to) const
+{
+  std::vector<int> ring;
+  for (const int t : around)
+  {
+    ring.push_back(this->Mesh.Triangles[t][(this->Mesh.CornerOf(t, v) + 1) % 3]);
+  }
+  const auto& points = this->Mesh.Points;
+  double before = 0;
+  double after = 0;
+  for (const int w : ring)
+  {
+    for (const int t : this->Mesh.Around(w))
+    {
+      const LinkedMesh::Triangle& corners = this->Mesh.Triangles[t];
+      if (std::find(corners.begin(), corners.end(), v) != corners.end())
+      {
+        continue;
+      }
+      const auto isOfRing = [&](int p)
+      { return std::find(ring.begin(), ring.end(), p) != ring.end(); };
+      if (!std::all_of(corners.begin(), corners.end(), isOfRing))
+      {
+        return false;
+      }
+      // Each comes three times, once a corner.
+      const Point3& a = points[corners[0]];
+      const Vector3 normal = Cross(points[corners[1]] - a, points[corners[2]] - a);
+      before += Dot(normal, a - points[v]);
+      after += Dot(normal, a - to);
+    }
+  }
+  return !(before > 0 ? after > 0 : after < 0);
+}
+
 bool CrossingWatch::AnyCrosses(const std::vector<int>& triangles)
 {
   if (!this->Grid)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @file CrossingWatch.h
- * @brief Whether changes of a mesh make triangles cross, or go through points.
+ * @brief Whether changes of a mesh make triangles cross, go through points, or turn small pieces.
  */
 #ifndef recon_CrossingWatch_h
 #define recon_CrossingWatch_h
@@ -39,6 +39,9 @@ public:
   /// Whether that has points inside, of triangles that AnyCrosses knows of. Nothing crosses where a small
   /// piece is gone through as a whole; but then it is within another one.
   bool AnyPointWithin(const std::vector<Tetrahedron>& way) const;
+  /// Whether a piece of no more points than one and those around it would turn inside out if that point
+  /// went to another place: nothing crosses by that, and no point is gone through.
+  bool TurnsPiece(const std::vector<int>& around, int v, const Point3& to) const;
 
 private:
   Box3 BoxOf(int t) const;

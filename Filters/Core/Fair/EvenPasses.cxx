@@ -237,6 +237,10 @@ bool EvenPasses::Collapse(int u, int v, double cosine)
     cosine < UsualCosine || this->AnyThin(around) || this->AgreementWanted(around, cosine) < cosine;
   const auto way = look ? this->Watch.WayOf(around, from, this->Mesh.Points[into])
                         : std::vector<CrossingWatch::Tetrahedron>();
+  if (look && this->Watch.TurnsPiece(around, from, this->Mesh.Points[into]))
+  {
+    return false;
+  }
   const LinkedMesh::Memory memory = look ? this->Mesh.Remember(around) : LinkedMesh::Memory();
   this->Mesh.Collapse(from, into);
   if (look && (this->Watch.AnyCrosses(around) || this->Watch.AnyPointWithin(way)))
@@ -447,6 +451,10 @@ bool EvenPasses::Put(int v, Point3& place, Vector3& normal, const Test& isWell)
   const bool look = this->AnyThin(around);
   const auto way =
     look ? this->Watch.WayOf(around, v, place) : std::vector<CrossingWatch::Tetrahedron>();
+  if (look && this->Watch.TurnsPiece(around, v, place))
+  {
+    return false;
+  }
   const auto exchange = [&]
   {
     std::swap(this->Mesh.Points[v], place);

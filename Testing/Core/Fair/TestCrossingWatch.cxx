@@ -75,3 +75,32 @@ TEST(CrossingWatch, SeesWhatIsGoneThrough)
   EXPECT_TRUE(watch.AnyPointWithin(watch.WayOf(around, v, { 1.5, 0, 0 })));
   EXPECT_FALSE(watch.AnyPointWithin(watch.WayOf(around, v, { 1.05, 0, 0 })));
 }
+
+TEST(CrossingWatch, SeesWhatTurnsASmallPiece)
+{
+  // The tip of a tetrahedron, and of one whose base is two triangles, through the base; nothing crosses then.
+  TriangleMesh pieces;
+  pieces.Points = { { 0, 0, 1 }, { 1, 0, 0 }, { -1, 1, 0 }, { -1, -1, 0 } };
+  pieces.Triangles = { { 0, 1, 2 }, { 0, 2, 3 }, { 0, 3, 1 }, { 3, 2, 1 } };
+  TriangleMesh other;
+  other.Points = { { 0, 0, 1 }, { 1, 1, 0 }, { -1, 1, 0 }, { -1, -1, 0 }, { 1, -1, 0 } };
+  other.Triangles = { { 0, 1, 2 }, { 0, 2, 3 }, { 0, 3, 4 }, { 0, 4, 1 }, { 3, 2, 1 },
+    { 4, 3, 1 } };
+  Move(other, { 5, 0, 0 });
+  Append(pieces, other);
+  TriangleMesh ball = MakeSphere(8, 4);
+  Move(ball, { 10, 0, 0 });
+  Append(pieces, ball);
+  const LinkedMesh mesh(pieces);
+  const CrossingWatch watch(mesh, 1);
+  for (const int tip : { 0, 4 })
+  {
+    const std::vector<int> around = mesh.Around(tip);
+    const Point3 place = mesh.Points[tip];
+    EXPECT_TRUE(watch.TurnsPiece(around, tip, { place[0], 0, -0.1 }));
+    EXPECT_TRUE(watch.TurnsPiece(around, tip, { place[0], 0, 0 }));
+    EXPECT_FALSE(watch.TurnsPiece(around, tip, { place[0], 0.2, 0.1 }));
+  }
+  const std::vector<int> around = mesh.Around(9);
+  EXPECT_FALSE(watch.TurnsPiece(around, 9, { 10, 0, -5 }));
+}
