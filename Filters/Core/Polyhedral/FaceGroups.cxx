@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -15,70 +16,51 @@ namespace
 constexpr int NoContour = -1; ///< several contours share the point
 constexpr int NoGroup = -1;   ///< the face has none
 
-/// Of every point its contour; NoContour for one that contours share.
-std::vector<int> ContoursOfPoints(const ContourSet& contours)
-{
-  std::vector<int> contourOf(contours.Points.size(), NoContour);
-  std::vector<unsigned char> seen(contours.Points.size(), 0);
-  for (std::size_t c = 0; c < contours.Contours.size(); ++c)
-  {
-    for (const int p : contours.Contours[c].Points)
-    {
-      contourOf[p] = seen[p] ? NoContour : static_cast<int>(c);
-      seen[p] = 1;
-    }
-  }
-  return contourOf;
-}
-
-/// Groups by what their faces' corners say.
-class GroupVotes
+/// Of every point of some levels its contour.
+class ContoursOfPoints
 {
 public:
-  GroupVotes(const ContourSet& contours, const PolyhedralStages& stages, const SolidComplex& solid)
-    : Stages(stages),
-      Solid(solid),
-      ContourOf(ContoursOfPoints(contours)),
-      Below(contours.Contours.size(), NoGroup),
-      Above(contours.Contours.size(), NoGroup)
+  ContoursOfPoints(const ContourSet& contours, const SlabRange& range)
   {
-    int number = 0;
-    for (const MappingGroup& group : stages.Mapping.Groups)
-    {
-      for (const int c : group.LowerContours)
+    int end = 0;
+    this->ForAll(contours, range,
+      [&](int, int p)
       {
-        this->Above[c] = number;
-      }
-      for (const int c : group.UpperContours)
+        this->First = std::min(this->First, p);
+        end = std::max(end, p + 1);
+      });
+    this->Contour.assign(static_cast<std::size_t>(std::max(0, end - this->First)), NotSeen);
+    this->ForAll(contours, range,
+      [&](int c, int p)
       {
-        this->Below[c] = number;
-      }
-      ++number;
-    }
+        int& contour = this->Contour[p - this->First];
+        contour = contour == NotSeen ? c : NoContour;
+      });
   }
 
-  int GroupAt(int vertex, int slab) const
-  {
-    const SolidComplex::Vertex& v = this->Solid.Vertices[vertex];
-    if (v.Lifted || v.Local < 0)
-    {
-      return NoGroup;
-    }
-    const int source = this->Stages.Levels[v.Level].Triangulation.Source[v.Local];
-    const int contour = source >= 0 ? this->ContourOf[source] : NoContour;
-    if (contour == NoContour)
-    {
-      return NoGroup;
-    }
-    return v.Level == slab ? this->Above[contour] : this->Below[contour];
-  }
+  int At(int point) const { return this->Contour[point - this->First]; }
 
 private:
-  const PolyhedralStages& Stages;
-  const SolidComplex& Solid;
-  std::vector<int> ContourOf;
-  std::vector<int> Below; ///< of a contour: its group in the slab below its level
-  std::vector<int> Above;
+  static constexpr int NotSeen = -2; ///< no contour has the point
+
+  template <typename Visit>
+  static void ForAll(const ContourSet& contours, const SlabRange& range, const Visit& visit)
+  {
+    for (int level = range.First; level <= range.End; ++level)
+    {
+      for (const int c : contours.Levels[level].Contours)
+      {
+        for (const int p : contours.Contours[c].Points)
+        {
+          visit(c, p);
+        }
+      }
+    }
+  }
+
+  int First =
+    std::numeric_limits<int>::max(); ///< points of neighbouring levels have neighbouring numbers
+  std::vector<int> Contour;          ///< from there on; NoContour: several share it
 };
 
 /// Of three votes, some of them for NoGroup, which is less than all: the group with most, of equals the
@@ -132,15 +114,47 @@ std::vector<int> FindPieces(const SolidComplex& solid)
   return pieces;
 }
 
-std::vector<int> FindFaceGroups(const ContourSet& contours, const PolyhedralStages& stages,
-  const SolidComplex& solid, const SolidBoundary& boundary, const std::vector<int>& pieces)
+FaceGroups::FaceGroups(const ContourSet& contours, const ContourMapping& mapping)
+  : Contours(contours),
+    IsEmpty(mapping.Groups.empty()),
+    Below(contours.Contours.size(), NoGroup),
+    Above(contours.Contours.size(), NoGroup)
+{
+  int number = 0;
+  for (const MappingGroup& group : mapping.Groups)
+  {
+    for (const int c : group.LowerContours)
+    {
+      this->Above[c] = number;
+    }
+    for (const int c : group.UpperContours)
+    {
+      this->Below[c] = number;
+    }
+    ++number;
+  }
+}
+
+std::vector<int> FaceGroups::Find(const std::vector<LevelState>& levels, const SolidComplex& solid,
+  const SolidBoundary& boundary, const std::vector<int>& pieces) const
 {
   std::vector<int> groups(boundary.Faces.size(), NoGroup);
-  if (stages.Mapping.Groups.empty())
+  if (this->IsEmpty)
   {
     return groups;
   }
-  const GroupVotes votes(contours, stages, solid);
+  const ContoursOfPoints contours(this->Contours, solid.Slabs);
+  const auto groupAt = [&](int vertex, int slab)
+  {
+    const SolidComplex::Vertex& v = solid.Vertices[vertex];
+    const int source = v.Lifted || v.Local < 0 ? -1 : levels[v.Level].Triangulation.Source[v.Local];
+    const int contour = source >= 0 ? contours.At(source) : NoContour;
+    if (contour == NoContour)
+    {
+      return NoGroup;
+    }
+    return v.Level == slab ? this->Above[contour] : this->Below[contour];
+  };
   std::map<int, std::map<int, int>> ofPiece;
   // Faces beside one another nearly always vote for the same.
   std::pair<int, int> last{ -1, NoGroup };
@@ -153,7 +167,7 @@ std::vector<int> FindFaceGroups(const ContourSet& contours, const PolyhedralStag
     for (std::size_t k = 0; k < 3; ++k)
     {
       const SolidBoundary::Point& point = boundary.Points[face.Points[k]];
-      const int group = votes.GroupAt(point.Vertex, solid.Cells[face.Cell].Slab);
+      const int group = groupAt(point.Vertex, solid.Cells[face.Cell].Slab);
       if (group == NoGroup || point.OtherVertex >= 0)
       {
         continue;

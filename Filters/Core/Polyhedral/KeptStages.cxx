@@ -2,7 +2,9 @@
 #include "Polyhedral/KeptStages.h"
 
 #include "Base/SubMonitor.h"
+#include "Polyhedral/LeftOut.h"
 #include "Polyhedral/MapSlabs.h"
+#include "Polyhedral/StagesMemory.h"
 
 #include <algorithm>
 #include <array>
@@ -16,8 +18,8 @@ namespace recon
 {
 namespace
 {
-/// Stages of more tetrahedra are not kept; a million and their levels take about 100 MB.
-constexpr std::size_t MostTetrahedra = 1000000;
+/// Stages that take more bytes are not kept.
+constexpr std::size_t MostBytes = 128 << 20;
 
 /// The progress when it is known what is joined to what, as in BuildPolyhedralStages.
 constexpr double MappedAt = 0.15;
@@ -90,6 +92,16 @@ bool AreSame(const PolyhedralOptions& a, const PolyhedralOptions& b)
     a.ForcedJoins == b.ForcedJoins && a.ForbiddenJoins == b.ForbiddenJoins &&
     a.MaximumGap == b.MaximumGap && a.AlignLevels == b.AlignLevels && a.EndCaps == b.EndCaps &&
     a.IsolatedContours == b.IsolatedContours;
+}
+
+std::size_t BytesOfLevels(const PolyhedralStages& stages)
+{
+  std::size_t bytes = 0;
+  for (std::size_t level = 0; level < stages.Levels.size(); ++level)
+  {
+    bytes += BytesOfLevel(stages, level);
+  }
+  return bytes;
 }
 
 using Pairs = std::set<std::pair<int, int>>;
@@ -201,6 +213,23 @@ ContourSet PartOf(const ContourSet& contours, int firstLevel, int endLevel)
   }
   return part;
 }
+
+/// Lines on what became of contours, for stages that have all else.
+void AddReports(
+  const ContourSet& contours, const PolyhedralOptions& options, PolyhedralStages& stages)
+{
+  StageReport said(contours, options, stages.Mapping);
+  for (std::size_t i = 0; i < stages.Levels.size(); ++i)
+  {
+    said.AddLevel(stages.Levels[i]);
+    if (i > 0)
+    {
+      said.AddSlab(static_cast<int>(i - 1), stages.Levels[i - 1], stages.Levels[i],
+        stages.Slabs[i - 1].Diagram);
+    }
+  }
+  said.Write(stages.Report);
+}
 }
 
 KeptStages::Range KeptStages::Range::Grown(int by, int levels) const
@@ -215,44 +244,38 @@ void KeptStages::Range::Include(int level)
 }
 
 const PolyhedralStages& KeptStages::Update(const ContourSet& contours,
-  const PolyhedralOptions& options, Monitor& monitor, double progressEnd, TetrahedraWanted wanted)
+  const PolyhedralOptions& options, Monitor& monitor, double progressEnd, TetrahedraWanted wanted,
+  const StagesSink& sink)
 {
   if (this->IsOfUse(contours, options, wanted) &&
     this->UpdatePart(contours, options, monitor, progressEnd, wanted))
   {
+    this->HasStages = BytesOfLevels(this->Stages) <= MostBytes;
+    const std::size_t levels = this->Stages.Levels.size();
+    const std::size_t needed = sink ? sink(this->Stages, levels) : 0;
+    ForgetBelow(this->HasStages ? 0 : needed, this->Stages);
     return this->Stages;
   }
   this->HasStages = false;
   this->Stages = PolyhedralStages(); // not both at once
-  this->Stages = BuildPolyhedralStages(contours, options, monitor, progressEnd, wanted, true);
-  this->Contours = contours;
+  std::size_t bytes = 0;
+  std::size_t counted = 0;
+  const StagesSink keep = [&](const PolyhedralStages& stages, std::size_t levels)
+  {
+    const std::size_t needed = sink ? sink(stages, levels) : 0;
+    for (; counted < levels; ++counted)
+    {
+      bytes += BytesOfLevel(stages, counted);
+    }
+    return sink && bytes > MostBytes ? needed : 0;
+  };
+  this->Stages = BuildPolyhedralStages(contours, options, monitor, progressEnd, wanted, true, keep);
   this->Options = options;
   this->Wanted = wanted;
   this->Made = contours.Levels.size();
-  this->HasStages = true;
+  this->HasStages = bytes <= MostBytes;
+  this->Contours = this->HasStages ? contours : ContourSet();
   return this->Stages;
-}
-
-void KeptStages::ForgetIfLarge()
-{
-  std::size_t tetrahedra = 0;
-  for (const SlabState& slab : this->Stages.Slabs)
-  {
-    tetrahedra += slab.Diagram.Tetrahedra.size();
-  }
-  for (const auto& slabs : this->Stages.Earlier.Slabs)
-  {
-    for (const EarlierRounds::Slab& slab : slabs)
-    {
-      tetrahedra += slab.Diagram.Tetrahedra.size();
-    }
-  }
-  if (tetrahedra > MostTetrahedra)
-  {
-    this->HasStages = false;
-    this->Stages = PolyhedralStages();
-    this->Contours = ContourSet();
-  }
 }
 
 /// Levels that were shifted, and ends that go on as the sections before them tell, depend on the whole stack.

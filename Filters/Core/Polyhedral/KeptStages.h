@@ -28,12 +28,10 @@ namespace recon
 class KeptStages
 {
 public:
-  /// The same as BuildPolyhedralStages; valid until the next call of any member.
+  /// The same as BuildPolyhedralStages; valid until the next call of any member. What takes more memory than a user
+  /// may want to lend for the next run is not kept: the sink hears of all, as it is finished.
   const PolyhedralStages& Update(const ContourSet& contours, const PolyhedralOptions& options,
-    Monitor& monitor, double progressEnd, TetrahedraWanted wanted);
-
-  /// What takes more memory than a user may want to lend for the next run.
-  void ForgetIfLarge();
+    Monitor& monitor, double progressEnd, TetrahedraWanted wanted, const StagesSink& sink = {});
 
   /// Levels that the last Update had to make, of all.
   std::size_t LevelsMade() const { return this->Made; }

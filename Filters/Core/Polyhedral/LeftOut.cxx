@@ -4,6 +4,7 @@
 #include "Base/PointHash.h"
 #include "Base/Text.h"
 #include "Polyhedral/DelaunayEdges.h"
+#include "Polyhedral/NeedleContours.h"
 
 #include <algorithm>
 #include <sstream>
@@ -31,27 +32,6 @@ bool IsMade(const LevelState& lower, const LevelState& upper, const SlabTetrahed
 constexpr unsigned char Kept = 1;
 constexpr unsigned char Isolated = 2;
 
-std::vector<unsigned char> WhatContoursBound(
-  const ContourSet& contours, const std::vector<LevelState>& levels)
-{
-  std::vector<unsigned char> bounds(contours.Contours.size(), 0);
-  for (const LevelState& level : levels)
-  {
-    const auto& triangulation = level.Triangulation;
-    for (std::size_t t = 0; t < triangulation.Triangles.size(); ++t)
-    {
-      for (int contour : triangulation.EdgeContour[t])
-      {
-        if (contour >= 0 && triangulation.Inside[t])
-        {
-          bounds[contour] |= level.Covered.Isolated[t] ? Isolated : Kept;
-        }
-      }
-    }
-  }
-  return bounds;
-}
-
 std::string LeftOutLine(
   const ContourSet& contours, std::size_t c, bool inPart, const PolyhedralOptions& options)
 {
@@ -67,6 +47,15 @@ std::string LeftOutLine(
        << (options.Mapping == PolyhedralOptions::Overlap
               ? ", or Mapping to Proximity to join it to what is near."
               : ".");
+  return line.str();
+}
+
+std::string NotMadeLine(int lower, int upper)
+{
+  std::ostringstream line;
+  line << "The join of contours " << lower << " and " << upper
+       << " was asked for but cannot be made: other contours lie between them, or no part of the "
+          "one lies over the other; a slice between their two would join them.";
   return line.str();
 }
 
@@ -94,43 +83,85 @@ void ReportExtruded(const ContourSet& contours, const std::vector<unsigned char>
 }
 }
 
-void ReportJoinsNotMade(const ContourMapping& mapping, const std::vector<LevelState>& levels,
-  const std::vector<SlabState>& slabs, std::vector<std::string>& report)
+StageReport::StageReport(
+  const ContourSet& contours, const PolyhedralOptions& options, const ContourMapping& mapping)
+  : Contours(contours),
+    Options(options),
+    Bounds(contours.Contours.size(), 0)
 {
   for (const ContourJoin& join : mapping.Joins)
   {
-    if (join.Rule != ContourJoin::Forced || join.LowerRegion < 0 || join.UpperRegion < 0)
+    if (join.Rule == ContourJoin::Forced && join.LowerRegion >= 0 && join.UpperRegion >= 0)
     {
-      continue;
-    }
-    const int lower = mapping.Regions[join.LowerRegion].Wall;
-    const int upper = mapping.Regions[join.UpperRegion].Wall;
-    if (!IsMade(levels[join.Slab], levels[join.Slab + 1], slabs[join.Slab].Diagram, lower, upper))
-    {
-      std::ostringstream line;
-      line
-        << "The join of contours " << lower << " and " << upper
-        << " was asked for but cannot be made: other contours lie between them, or no part of the "
-           "one lies over the other; a slice between their two would join them.";
-      report.push_back(line.str());
+      this->Forced.push_back({ join.Slab, mapping.Regions[join.LowerRegion].Wall,
+        mapping.Regions[join.UpperRegion].Wall, false });
     }
   }
 }
 
-void ReportContoursLeftOut(const ContourSet& contours, const std::vector<LevelState>& levels,
-  const PolyhedralOptions& options, std::vector<std::string>& report)
+void StageReport::AddLevel(const LevelState& level)
 {
-  const std::vector<unsigned char> bounds = WhatContoursBound(contours, levels);
-  if (options.IsolatedContours == PolyhedralOptions::Extrude)
+  for (const int contour : level.Needles)
   {
-    ReportExtruded(contours, bounds, report);
+    this->Needles.push_back(DescribeNeedle(this->Contours, contour));
+  }
+  const LevelTriangulation& triangulation = level.Triangulation;
+  if (!triangulation.IsGabriel)
+  {
+    this->WithoutCondition2.push_back(Text(level.Offset));
+  }
+  for (std::size_t t = 0; t < triangulation.Triangles.size(); ++t)
+  {
+    for (const int contour : triangulation.EdgeContour[t])
+    {
+      if (contour >= 0 && triangulation.Inside[t])
+      {
+        this->Bounds[contour] |= level.Covered.Isolated[t] ? Isolated : Kept;
+      }
+    }
+  }
+}
+
+void StageReport::AddSlab(
+  int slab, const LevelState& lower, const LevelState& upper, const SlabTetrahedra& diagram)
+{
+  for (ForcedJoin& join : this->Forced)
+  {
+    if (join.Slab == slab)
+    {
+      join.Made = IsMade(lower, upper, diagram, join.Lower, join.Upper);
+    }
+  }
+}
+
+void StageReport::Write(std::vector<std::string>& report) const
+{
+  report.insert(report.end(), this->Needles.begin(), this->Needles.end());
+  if (!this->WithoutCondition2.empty())
+  {
+    report.push_back("On " + Counted(this->WithoutCondition2.size(), "level") + " (at offset " +
+      Listed(this->WithoutCondition2, 3) +
+      ") contours run so near to each other, or to themselves, that their edges have fewer points "
+      "than the method asks for: the surface is whole there, but may be joined less smoothly.");
+  }
+  for (const ForcedJoin& join : this->Forced)
+  {
+    if (!join.Made)
+    {
+      report.push_back(NotMadeLine(join.Lower, join.Upper));
+    }
+  }
+  if (this->Options.IsolatedContours == PolyhedralOptions::Extrude)
+  {
+    ReportExtruded(this->Contours, this->Bounds, report);
     return;
   }
-  for (std::size_t c = 0; c < bounds.size(); ++c)
+  for (std::size_t c = 0; c < this->Bounds.size(); ++c)
   {
-    if (bounds[c] & Isolated)
+    if (this->Bounds[c] & Isolated)
     {
-      report.push_back(LeftOutLine(contours, c, (bounds[c] & Kept) != 0, options));
+      report.push_back(
+        LeftOutLine(this->Contours, c, (this->Bounds[c] & Kept) != 0, this->Options));
     }
   }
 }
@@ -150,25 +181,6 @@ void CheckNotEmpty(const TriangleMesh& mesh, const std::vector<std::string>& rep
   {
     throw Error(
       "No surface came out: " + (report.empty() ? "no contour has a partner." : report.back()));
-  }
-}
-
-void ReportLevelsWithoutCondition2(
-  const std::vector<LevelState>& levels, std::vector<std::string>& report)
-{
-  std::vector<std::string> places;
-  for (const LevelState& level : levels)
-  {
-    if (!level.Triangulation.IsGabriel)
-    {
-      places.push_back(Text(level.Offset));
-    }
-  }
-  if (!places.empty())
-  {
-    report.push_back("On " + Counted(places.size(), "level") + " (at offset " + Listed(places, 3) +
-      ") contours run so near to each other, or to themselves, that their edges have fewer points "
-      "than the method asks for: the surface is whole there, but may be joined less smoothly.");
   }
 }
 }

@@ -5,17 +5,9 @@ namespace recon
 {
 namespace
 {
-std::vector<int> InternalPointsOf(const LevelTriangulation& level)
+bool IsInternal(const LevelTriangulation& level, std::size_t p)
 {
-  std::vector<int> internal;
-  for (std::size_t p = 0; p < level.Points.size(); ++p)
-  {
-    if (level.Kind[p] == LevelTriangulation::Internal)
-    {
-      internal.push_back(static_cast<int>(p));
-    }
-  }
-  return internal;
+  return level.Kind[p] == LevelTriangulation::Internal;
 }
 
 /// neighbour: null where there is none. triangles: of it, that hold the internal points.
@@ -23,58 +15,68 @@ std::vector<unsigned char> OutsideOf(const LevelTriangulation& level,
   const LevelTriangulation* neighbour, const std::vector<int>& triangles)
 {
   std::vector<unsigned char> outside(level.Points.size(), 0);
-  if (!neighbour)
+  std::size_t i = 0;
+  for (std::size_t p = 0; p < outside.size() && neighbour; ++p)
   {
-    return outside;
-  }
-  const std::vector<int> internal = InternalPointsOf(level);
-  for (std::size_t i = 0; i < internal.size(); ++i)
-  {
-    outside[internal[i]] = triangles[i] < 0 || !neighbour->Inside[triangles[i]] ? 1 : 0;
+    if (IsInternal(level, p))
+    {
+      outside[p] = triangles[i] < 0 || !neighbour->Inside[triangles[i]] ? 1 : 0;
+      ++i;
+    }
   }
   return outside;
 }
+
+template <typename PointsOf>
+void LocateNeighbours(const std::vector<LevelState>& levels, std::size_t asked,
+  const PointsOf& pointsOf, std::vector<NeighbourPlaces>& places)
+{
+  const LevelTriangulator& triangulator = *levels[asked].Triangulator;
+  if (asked > 0)
+  {
+    places[asked - 1].Above = triangulator.Locate(pointsOf(levels[asked - 1]));
+  }
+  if (asked + 1 < levels.size())
+  {
+    places[asked + 1].Below = triangulator.Locate(pointsOf(levels[asked + 1]));
+  }
+}
 }
 
-std::vector<NeighbourPlaces> LocateInNeighbours(const std::vector<LevelState>& levels,
-  const std::vector<std::vector<Point2>>& points, const StageRunner& runner, double progress)
+std::vector<Point2> InternalPointsOf(const LevelState& level)
 {
-  std::vector<NeighbourPlaces> places(levels.size());
-  // By the level that is asked: no two threads may ask one triangulation.
-  runner.ForAll(levels.size(), progress, progress, "shaping branches and ends",
-    [&](std::size_t i)
+  const LevelTriangulation& triangulation = level.Triangulation;
+  std::vector<Point2> internal;
+  for (std::size_t p = 0; p < triangulation.Points.size(); ++p)
+  {
+    if (IsInternal(triangulation, p))
     {
-      if (i > 0)
-      {
-        places[i - 1].Above = levels[i].Triangulator->Locate(points[i - 1]);
-      }
-      if (i + 1 < levels.size())
-      {
-        places[i + 1].Below = levels[i].Triangulator->Locate(points[i + 1]);
-      }
-    });
-  return places;
+      internal.push_back(triangulation.Points[p]);
+    }
+  }
+  return internal;
+}
+
+void LocateInternalPoints(
+  const std::vector<LevelState>& levels, std::size_t asked, std::vector<NeighbourPlaces>& places)
+{
+  LocateNeighbours(levels, asked, InternalPointsOf, places);
+}
+
+void LocateInternalSkeletons(
+  const std::vector<LevelState>& levels, std::size_t asked, std::vector<NeighbourPlaces>& places)
+{
+  LocateNeighbours(
+    levels, asked, [](const LevelState& level) { return level.InternalSkeleton; }, places);
 }
 
 void FindPointsOutsideNeighbours(
-  std::vector<LevelState>& levels, const StageRunner& runner, double progress)
+  std::vector<LevelState>& levels, std::size_t level, const NeighbourPlaces& places)
 {
-  std::vector<std::vector<Point2>> points(levels.size());
-  for (std::size_t i = 0; i < levels.size(); ++i)
-  {
-    for (int p : InternalPointsOf(levels[i].Triangulation))
-    {
-      points[i].push_back(levels[i].Triangulation.Points[p]);
-    }
-  }
-  const auto places = LocateInNeighbours(levels, points, runner, progress);
-  for (std::size_t i = 0; i < levels.size(); ++i)
-  {
-    LevelState& level = levels[i];
-    const auto* below = i > 0 ? &levels[i - 1].Triangulation : nullptr;
-    const auto* above = i + 1 < levels.size() ? &levels[i + 1].Triangulation : nullptr;
-    level.OutsideBelow = OutsideOf(level.Triangulation, below, places[i].Below);
-    level.OutsideAbove = OutsideOf(level.Triangulation, above, places[i].Above);
-  }
+  LevelState& of = levels[level];
+  const auto* below = level > 0 ? &levels[level - 1].Triangulation : nullptr;
+  const auto* above = level + 1 < levels.size() ? &levels[level + 1].Triangulation : nullptr;
+  of.OutsideBelow = OutsideOf(of.Triangulation, below, places.Below);
+  of.OutsideAbove = OutsideOf(of.Triangulation, above, places.Above);
 }
 }

@@ -7,8 +7,8 @@
 #define recon_NeighbourPlaces_h
 
 #include "Polyhedral/LevelState.h"
-#include "Polyhedral/StageRunner.h"
 
+#include <cstddef>
 #include <vector>
 
 namespace recon
@@ -21,13 +21,19 @@ struct NeighbourPlaces
   std::vector<int> Above;
 };
 
-/// points: by level.
-std::vector<NeighbourPlaces> LocateInNeighbours(const std::vector<LevelState>& levels,
-  const std::vector<std::vector<Point2>>& points, const StageRunner& runner, double progress);
+/// Its internal points, in their order.
+std::vector<Point2> InternalPointsOf(const LevelState& level);
 
-/// Sets OutsideAbove and OutsideBelow of every level.
+/// Looks up on a level the internal points of those next to it, or the points of their InternalSkeleton: sets Above of
+/// the level below and Below of the level above. No two threads may ask one level.
+void LocateInternalPoints(
+  const std::vector<LevelState>& levels, std::size_t asked, std::vector<NeighbourPlaces>& places);
+void LocateInternalSkeletons(
+  const std::vector<LevelState>& levels, std::size_t asked, std::vector<NeighbourPlaces>& places);
+
+/// Sets OutsideAbove and OutsideBelow of a level. @param places of its internal points
 void FindPointsOutsideNeighbours(
-  std::vector<LevelState>& levels, const StageRunner& runner, double progress);
+  std::vector<LevelState>& levels, std::size_t level, const NeighbourPlaces& places);
 }
 
 #endif

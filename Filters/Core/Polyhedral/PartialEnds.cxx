@@ -67,7 +67,7 @@ std::vector<Point2> EndsOf(
 }
 }
 
-std::array<std::vector<Point2>, 2> FindPartialEnds(
+EndsOfSlab FindPartialEnds(
   const SlabTetrahedra& slab, const SkeletonSide& lower, const SkeletonSide& upper)
 {
   const LevelTriangulation& level1 = lower.Level->Triangulation;
@@ -93,5 +93,22 @@ std::array<std::vector<Point2>, 2> FindPartialEnds(
     }
   }
   return { { EndsOf(lower, upper, spared[0]), EndsOf(upper, lower, spared[1]) } };
+}
+bool AddPartialEnds(LevelTriangulator& level, const EndsOfSlab* below, const EndsOfSlab* above)
+{
+  bool any = false;
+  if (below)
+  {
+    level.AddInternalPoints((*below)[1], LevelTriangulation::LevelBelow);
+    level.AddExternalPoints((*below)[0]);
+    any = !(*below)[0].empty() || !(*below)[1].empty();
+  }
+  if (above)
+  {
+    level.AddInternalPoints((*above)[0], LevelTriangulation::LevelAbove);
+    level.AddExternalPoints((*above)[1]);
+    any = any || !(*above)[0].empty() || !(*above)[1].empty();
+  }
+  return any;
 }
 }

@@ -35,6 +35,9 @@ struct SkeletonSide
   const std::vector<int>* BehindTriangles; ///< empty where there is no such level
 };
 
+/// Points of the lower and of the upper level.
+using EndsOfSlab = std::array<std::vector<Point2>, 2>;
+
 /**
  * Of the lower and of the upper level the points of its skeleton at which a part of it ends in the
  * slab.
@@ -43,8 +46,11 @@ struct SkeletonSide
  * its corners otherwise. And a join that neither skeleton sees (of two regions that overlap at
  * their margins only) would be lost, so regions with such a join keep all their tetrahedra.
  */
-std::array<std::vector<Point2>, 2> FindPartialEnds(
+EndsOfSlab FindPartialEnds(
   const SlabTetrahedra& slab, const SkeletonSide& lower, const SkeletonSide& upper);
+
+/// To a level the points of the slabs below and above it, null where there is none. @returns whether there were any
+bool AddPartialEnds(LevelTriangulator& level, const EndsOfSlab* below, const EndsOfSlab* above);
 }
 
 #endif

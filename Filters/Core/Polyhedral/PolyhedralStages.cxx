@@ -1,22 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Polyhedral/PolyhedralStages.h"
 
-#include "Polyhedral/BoundaryVoronoi.h"
-#include "Polyhedral/Elimination.h"
 #include "Polyhedral/EndShapes.h"
 #include "Polyhedral/LeftOut.h"
 #include "Polyhedral/Lifting.h"
 #include "Polyhedral/LiftTargets.h"
 #include "Polyhedral/MapSlabs.h"
-#include "Polyhedral/NeedleContours.h"
 #include "Polyhedral/NeighbourPlaces.h"
 #include "Polyhedral/PartialEnds.h"
+#include "Polyhedral/SlabDiagram.h"
+#include "Polyhedral/StageFront.h"
 #include "Polyhedral/StageRunner.h"
+#include "Polyhedral/StagesMemory.h"
 #include "Polyhedral/VoronoiSkeleton.h"
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -26,20 +25,38 @@ namespace
 {
 /// Cover points change their level and the two slabs at it, which can lay others bare; after two
 /// rounds of them what is left are acute tips, which no point can cover.
-constexpr int Rounds = 3;
+constexpr std::size_t Rounds = 3;
 
 /// The progress when it is known what is joined to what.
 constexpr double MappedAt = 0.15;
 
-/// Drawn contours have at most a few T12 a triangle; with more than this it is quicker, and takes
-/// far less memory, to make those at the boundary only.
-constexpr std::size_t MostT12ATriangle = 8;
+/// How far the stack is taken on at a time: levels with so many contour points, and so many at least. What
+/// is at work at once is that, and the dozen levels by which later stages come after earlier ones.
+constexpr std::size_t PointsAtATime = 16384;
+constexpr std::size_t LeastLevelsAtATime = 16;
 
-/// By slab the points of the lower and of the upper level at which a part of it ends in the slab.
-using EndsOfSlabs = std::vector<std::array<std::vector<Point2>, 2>>;
+/// Shares of the progress after the mapping, which add up to one; those of a round are of one round of three.
+constexpr double TriangulatingShare = 0.175;
+constexpr double SkeletonShare = 0.06;
+constexpr double InsertingShare = 0.175;
+constexpr double JoiningShare = 0.157;
+constexpr double LiftingShare = 0.039;
 
-/// The stages of the method in their order; every one is timed and takes its share of the progress
-/// bar.
+/// What is known of a level only as long as those next to it are made.
+struct PassingLevel
+{
+  std::vector<Point2> ExternalSkeleton;
+  double Unit = 0;                              ///< of the last decimal of its contours
+  std::vector<int> SkeletonTriangles;           ///< that hold the points of its InternalSkeleton
+  std::array<EndShapesOfLevel, 2> ShapesOfEnds; ///< below and above, where they are extrapolated
+};
+
+/**
+ * The stages of the method; every one is timed and takes its share of the progress bar.
+ *
+ * They go along the stack one behind the other, as far as each may by what it needs of the levels
+ * above, and what is finished is handed on: so there is no need for all of the stack at once.
+ */
 class Builder
 {
 public:
@@ -52,23 +69,36 @@ public:
       Runner(options.Threads, monitor, progressEnd),
       Spacing(contours.Spacing())
   {
-    this->Levels.resize(contours.Levels.size());
-    this->Units.resize(contours.Levels.size());
-    for (std::size_t i = 0; i < this->Levels.size(); ++i)
+    const std::size_t levels = contours.Levels.size();
+    this->Levels.resize(levels);
+    this->Passing.resize(levels);
+    for (std::size_t i = 0; i < levels; ++i)
     {
       this->Levels[i].Offset = contours.Levels[i].Offset;
     }
-    this->Slabs.resize(this->Levels.size() - 1);
+    this->Slabs.resize(levels - 1);
     for (std::size_t i = 0; i < this->Slabs.size(); ++i)
     {
       this->Slabs[i].Thickness = this->Levels[i + 1].Offset - this->Levels[i].Offset;
     }
-    this->Out.Earlier.Levels.resize(this->Levels.size());
+    this->InternalPlaces.resize(levels);
+    this->SkeletonPlaces.resize(levels);
+    this->Ends.resize(this->Slabs.size());
+    this->Out.Earlier.Levels.resize(levels);
     this->Out.Earlier.Slabs.resize(this->Slabs.size());
+    const StageFront ofLevels{ levels, 0 };
+    const StageFront ofSlabs{ this->Slabs.size(), 0 };
+    this->Triangulated = this->SkeletonsFound = this->Inserted = this->Finished = ofLevels;
+    this->Fronts.fill(
+      { ofSlabs, ofLevels, ofLevels, ofLevels, ofSlabs, ofLevels, ofSlabs, ofLevels });
   }
 
-  PolyhedralStages Build()
+  PolyhedralStages Build(
+    LevelAlignment alignment, std::unique_ptr<ContourSet> shifted, const StagesSink& sink)
   {
+    this->Out.Report = alignment.Report;
+    this->Out.Alignment = std::move(alignment);
+    this->Out.Shifted = std::move(shifted);
     this->Runner.Timed("map contours",
       [&]
       {
@@ -79,11 +109,11 @@ public:
         {
           SubMonitor sections = this->Runner.MonitorOf(MappedAt, MappedAt);
           this->Shapes.emplace(this->Contours, this->Out.Mapping, this->Options, sections);
-          this->ShapesOf.resize(this->Levels.size());
         }
       });
-    this->BuildLevelsAndSlabs();
-    AddReports(this->Contours, this->Options, this->Out);
+    this->Said.emplace(this->Contours, this->Options, this->Out.Mapping);
+    this->BuildLevelsAndSlabs(sink);
+    this->Said->Write(this->Out.Report);
     return std::move(this->Out);
   }
 
@@ -95,33 +125,85 @@ public:
     {
       this->Slabs[i].Joins = joins.Joins[i];
     }
-    this->BuildLevelsAndSlabs();
+    this->BuildLevelsAndSlabs({});
     return std::move(this->Out);
   }
 
 private:
-  void BuildLevelsAndSlabs()
+  void BuildLevelsAndSlabs(const StagesSink& sink)
   {
-    this->Runner.Timed("triangulate levels", [&] { this->TriangulateLevels(); });
-    this->Runner.Timed("insert internal points", [&] { this->InsertInternalPoints(); });
-    this->BuildSlabs();
-    for (LevelState& level : this->Levels)
+    while (this->Finished.Done < this->Levels.size())
     {
-      level.Needles = level.Triangulator->Needles();
-      // These take more memory than all that is handed on.
-      level.Triangulator.reset();
-      level.Distance.reset();
+      this->TriangulateLevels(this->NextEnd());
+      this->InsertInternalPoints();
+      for (std::size_t round = 0; round < Rounds; ++round)
+      {
+        const StageFront& before = round == 0 ? this->Inserted : this->Fronts[round - 1].Added;
+        this->JoinDiagrams(round, before);
+        this->LiftPoints(round, before);
+        if (round + 1 < Rounds)
+        {
+          this->AddPointsWhereNeeded(round);
+        }
+      }
+      this->FinishLevels();
+      if (sink)
+      {
+        ForgetBelow(sink(this->Out, this->Finished.Done), this->Out);
+      }
     }
+    this->Out.Rounds = 1 + static_cast<int>(this->LastRoundAdded);
     this->Out.StageSeconds = this->Runner.GetSeconds();
   }
 
-  void TriangulateLevels()
+  /// Up to where levels are triangulated next.
+  std::size_t NextEnd() const
   {
-    this->Runner.ForAll(this->Levels.size(), MappedAt, 0.3, "triangulating slices",
-      [&](int i)
+    std::size_t points = 0;
+    std::size_t end = this->Triangulated.Done;
+    for (std::size_t count = 0;
+         end < this->Levels.size() && (count < LeastLevelsAtATime || points < PointsAtATime);
+         ++count, ++end)
+    {
+      for (const int c : this->Contours.Levels[end].Contours)
       {
-        this->Levels[i].Triangulator = std::make_unique<LevelTriangulator>(this->Contours, i);
-        this->Units[i] = UnitOfLevel(this->Contours, i);
+        points += this->Contours.Contours[c].Points.size();
+      }
+    }
+    return end;
+  }
+
+  /// Takes a stage on, up to level or slab `end`. @param share of the progress, for all of the stack @param timed
+  /// the name under which it is timed
+  template <typename Body>
+  void Advance(const char* timed, StageFront& front, std::size_t end, double share,
+    const char* stage, const Body& body)
+  {
+    if (end <= front.Done)
+    {
+      return;
+    }
+    const std::size_t from = front.Done;
+    const double before = this->Progress;
+    this->Progress = std::min(1.0,
+      before +
+        (1 - MappedAt) * share * static_cast<double>(end - from) /
+          static_cast<double>(front.Count));
+    const auto run = [&](int i) { body(from + static_cast<std::size_t>(i)); };
+    this->Runner.Timed(
+      timed, [&] { this->Runner.ForAll(end - from, before, this->Progress, stage, run); });
+    front.Done = end;
+  }
+
+  void TriangulateLevels(std::size_t end)
+  {
+    this->Advance("triangulate levels", this->Triangulated, end, TriangulatingShare,
+      "triangulating slices",
+      [&](std::size_t i)
+      {
+        const int level = static_cast<int>(i);
+        this->Levels[i].Triangulator = std::make_unique<LevelTriangulator>(this->Contours, level);
+        this->Passing[i].Unit = UnitOfLevel(this->Contours, level);
       });
   }
 
@@ -135,66 +217,58 @@ private:
 
   void InsertInternalPoints()
   {
-    std::vector<std::vector<Point2>> skeletons(this->Levels.size());
-    if (this->Options.InternalPoints)
+    const std::size_t levels = this->Levels.size();
+    const char* const timed = "insert internal points";
+    this->Advance(timed, this->SkeletonsFound, this->Triangulated.Allows(levels, 0), SkeletonShare,
+      "finding the middle of gaps", [&](std::size_t i) { this->FindSkeletons(i); });
+    this->Advance(timed, this->Inserted, this->SkeletonsFound.Allows(levels, 1), InsertingShare,
+      "adding points where branches meet", [&](std::size_t i) { this->InsertSkeletons(i); });
+  }
+
+  void FindSkeletons(std::size_t i)
+  {
+    if (!this->Options.InternalPoints)
     {
-      this->Runner.ForAll(this->Levels.size(), 0.3, 0.35, "finding the middle of gaps",
-        [&](int i)
-        {
-          LevelState& level = this->Levels[i];
-          const LevelTriangulation drawn = level.Triangulator->Finish();
-          skeletons[i] = ExternalSkeletonVertices(drawn, this->Units[i]);
-          if (this->RoundsOffPartialEnds())
-          {
-            level.InternalSkeleton = InternalSkeletonVertices(drawn, this->Units[i]);
-          }
-        });
+      return;
     }
-    this->Runner.ForAll(this->Levels.size(), 0.35, 0.5, "adding points where branches meet",
+    LevelState& level = this->Levels[i];
+    const LevelTriangulation drawn = level.Triangulator->Finish();
+    this->Passing[i].ExternalSkeleton = ExternalSkeletonVertices(drawn, this->Passing[i].Unit);
+    if (this->RoundsOffPartialEnds())
+    {
+      level.InternalSkeleton = InternalSkeletonVertices(drawn, this->Passing[i].Unit);
+    }
+  }
+
+  void InsertSkeletons(std::size_t i)
+  {
+    auto& triangulator = *this->Levels[i].Triangulator;
+    if (i > 0)
+    {
+      triangulator.AddInternalPoints(
+        this->Passing[i - 1].ExternalSkeleton, LevelTriangulation::LevelBelow);
+    }
+    if (i + 1 < this->Levels.size())
+    {
+      triangulator.AddInternalPoints(
+        this->Passing[i + 1].ExternalSkeleton, LevelTriangulation::LevelAbove);
+    }
+    this->Levels[i].Triangulation = triangulator.Finish();
+  }
+
+  /// Tetrahedra of slabs, once more where points were added for ends and bare parts.
+  void JoinDiagrams(std::size_t round, const StageFront& before)
+  {
+    StageFront& joined = this->Fronts[round].Joined;
+    this->Advance("join Voronoi diagrams", joined, before.Allows(joined.Count, 1), JoiningShare,
+      "filling the space between slices",
       [&](std::size_t i)
-      {
-        auto& triangulator = *this->Levels[i].Triangulator;
-        if (i > 0)
-        {
-          triangulator.AddInternalPoints(skeletons[i - 1], LevelTriangulation::LevelBelow);
-        }
-        if (i + 1 < skeletons.size())
-        {
-          triangulator.AddInternalPoints(skeletons[i + 1], LevelTriangulation::LevelAbove);
-        }
-        this->Levels[i].Triangulation = triangulator.Finish();
-      });
-  }
-
-  /// Tetrahedra and heights of all slabs, once more where points were added for ends and bare
-  /// parts.
-  void BuildSlabs()
-  {
-    for (int round = 0; round < Rounds; ++round)
-    {
-      const double from = 0.5 + 0.5 * round / Rounds;
-      const double middle = from + 0.4 / Rounds;
-      const double to = from + 0.5 / Rounds;
-      this->Runner.Timed("join Voronoi diagrams", [&] { this->JoinDiagrams(from, middle); });
-      this->Runner.Timed("lift internal points", [&] { this->LiftPoints(middle, to); });
-      ++this->Out.Rounds;
-      if (round + 1 == Rounds || !this->AddPointsWhereNeeded(round == 0, to))
-      {
-        return;
-      }
-    }
-  }
-
-  void JoinDiagrams(double from, double to)
-  {
-    this->Runner.ForAll(this->Slabs.size(), from, to, "filling the space between slices",
-      [&](int i)
       {
         const LevelState& lower = this->Levels[i];
         const LevelState& upper = this->Levels[i + 1];
         if (lower.Changed || upper.Changed)
         {
-          this->JoinDiagram(i, lower.Triangulation, upper.Triangulation);
+          this->JoinDiagram(static_cast<int>(i), lower.Triangulation, upper.Triangulation);
         }
       });
   }
@@ -209,25 +283,7 @@ private:
       slab.Diagram = std::move(*known);
       return;
     }
-    const JointCells cells(lower, upper);
-    const bool mayHaveGaps = this->Wanted != TetrahedraWanted::All && lower.IsGabriel &&
-      upper.IsGabriel && !slab.Joins.HasContract();
-    std::size_t most = std::numeric_limits<std::size_t>::max();
-    if (mayHaveGaps)
-    {
-      most = this->Wanted == TetrahedraWanted::BoundaryOnly
-        ? 0
-        : MostT12ATriangle * (lower.Triangles.size() + upper.Triangles.size());
-    }
-    std::optional<SlabTetrahedra> all =
-      most > 0 ? BuildJointVoronoi(cells, most) : std::optional<SlabTetrahedra>();
-    if (!all)
-    {
-      slab.Diagram = BuildBoundaryVoronoi(cells, slab.Joins);
-      return;
-    }
-    slab.Diagram = std::move(*all);
-    EliminateTetrahedra(lower, upper, slab.Joins, slab.Diagram);
+    slab.Diagram = BuildSlabDiagram(lower, upper, slab.Joins, this->Wanted);
   }
 
   /// What the slab was before its levels changed.
@@ -254,52 +310,90 @@ private:
     return i >= 0 && i < static_cast<int>(this->Levels.size()) ? &this->Levels[i] : nullptr;
   }
 
-  void LiftPoints(double from, double to)
+  void LiftPoints(std::size_t round, const StageFront& before)
   {
-    this->Runner.ForAll(this->Levels.size(), from, from, "shaping branches and ends",
-      [&](int i)
+    RoundFronts& fronts = this->Fronts[round];
+    const std::size_t levels = this->Levels.size();
+    const char* const stage = "shaping branches and ends";
+    const char* const timed = "lift internal points";
+    this->Advance(timed, fronts.Covered, fronts.Joined.Allows(levels, 0), 0, stage,
+      [&](std::size_t i) { this->FindCovered(i); });
+    this->Advance(timed, fronts.Located, before.Allows(levels, 2), 0, stage,
+      [&](std::size_t i)
       {
-        LevelState& level = this->Levels[i];
-        if (!level.Distance)
+        if (this->AnyChanged(i, 2, 2))
         {
-          // Added points cut contour edges but do not move them.
-          level.Distance = std::make_unique<PlanarContourDistance>(level.Triangulation);
-        }
-        level.Covered = FindCoverage(level.Triangulation, this->DiagramOrNull(i - 1),
-          this->DiagramOrNull(i), this->Options.IsolatedContours == PolyhedralOptions::Extrude);
-        for (const int towards : { -1, 1 })
-        {
-          if (this->Shapes)
-          {
-            this->ShapesOf[i][towards > 0 ? 1 : 0] = this->Shapes->Find(level, i, towards);
-          }
+          LocateInternalPoints(this->Levels, i, this->InternalPlaces);
         }
       });
-    FindPointsOutsideNeighbours(this->Levels, this->Runner, from);
-    this->Runner.ForAll(this->Slabs.size(), from, to, "shaping branches and ends",
-      [&](int i)
+    this->Advance(timed, fronts.Outside, fronts.Located.Allows(levels, 1), 0, stage,
+      [&](std::size_t i)
       {
-        if (this->MayHaveChanged(i))
+        if (this->AnyChanged(i, 1, 1))
         {
-          LiftInternalPoints(this->Levels[i], this->Levels[i + 1], this->Slabs[i].Diagram,
-            this->TargetsOf(i, 1), this->TargetsOf(i + 1, -1));
+          FindPointsOutsideNeighbours(this->Levels, i, this->InternalPlaces[i]);
         }
+        this->InternalPlaces[i] = {};
       });
-    // Beyond the first and the last level nothing is in the way.
-    this->Levels.front().Lifted.Below = this->TargetsOf(0, -1);
-    this->Levels.back().Lifted.Above = this->TargetsOf(static_cast<int>(this->Slabs.size()), 1);
+    const std::size_t end = std::min(
+      fronts.Covered.Allows(this->Slabs.size(), 2), fronts.Outside.Allows(this->Slabs.size(), 1));
+    this->Advance(timed, fronts.Lifted, end, LiftingShare, stage,
+      [&](std::size_t i) { this->LiftSlab(static_cast<int>(i)); });
   }
 
-  /// What is covered on a level follows from both slabs at it, and so from their levels.
-  bool MayHaveChanged(int slab) const
+  void FindCovered(std::size_t i)
   {
-    bool changed = false;
-    for (int i = slab - 1; i <= slab + 2; ++i)
+    if (!this->AnyChanged(i, 1, 1))
     {
-      const LevelState* level = this->LevelOrNull(i);
-      changed = changed || (level && level->Changed);
+      return;
     }
-    return changed;
+    LevelState& level = this->Levels[i];
+    if (!level.Distance)
+    {
+      // Added points cut contour edges but do not move them.
+      level.Distance = std::make_unique<PlanarContourDistance>(level.Triangulation);
+    }
+    const int index = static_cast<int>(i);
+    level.Covered = FindCoverage(level.Triangulation, this->DiagramOrNull(index - 1),
+      this->DiagramOrNull(index), this->Options.IsolatedContours == PolyhedralOptions::Extrude);
+    for (const int towards : { -1, 1 })
+    {
+      if (this->Shapes)
+      {
+        this->Passing[i].ShapesOfEnds[towards > 0 ? 1 : 0] =
+          this->Shapes->Find(level, index, towards);
+      }
+    }
+  }
+
+  void LiftSlab(int i)
+  {
+    // What is covered on a level follows from both slabs at it, and so from their levels.
+    if (!this->AnyChanged(static_cast<std::size_t>(i), 1, 2))
+    {
+      return;
+    }
+    LiftInternalPoints(this->Levels[i], this->Levels[i + 1], this->Slabs[i].Diagram,
+      this->TargetsOf(i, 1), this->TargetsOf(i + 1, -1));
+    // Beyond the first and the last level nothing is in the way.
+    if (i == 0)
+    {
+      this->Levels.front().Lifted.Below = this->TargetsOf(0, -1);
+    }
+    if (i + 1 == static_cast<int>(this->Slabs.size()))
+    {
+      this->Levels.back().Lifted.Above = this->TargetsOf(i + 1, 1);
+    }
+  }
+
+  /// Whether points were added in the last round to this level or one of so many below or above it.
+  bool AnyChanged(std::size_t level, std::size_t below, std::size_t above) const
+  {
+    const auto end = this->Levels.begin() +
+      static_cast<std::ptrdiff_t>(std::min(this->Levels.size(), level + above + 1));
+    const auto begin =
+      this->Levels.begin() + static_cast<std::ptrdiff_t>(level - std::min(level, below));
+    return std::any_of(begin, end, [](const LevelState& other) { return other.Changed; });
   }
 
   /// towards: 1 above, -1 below.
@@ -307,7 +401,7 @@ private:
   {
     const LiftSide side{ &this->Levels[level], this->LevelOrNull(level + towards),
       this->LevelOrNull(level - towards), towards, this->ThicknessForCaps(level, towards),
-      this->Shapes ? &this->ShapesOf[level][towards > 0 ? 1 : 0] : nullptr };
+      this->Shapes ? &this->Passing[level].ShapesOfEnds[towards > 0 ? 1 : 0] : nullptr };
     return FindLiftTargets(side, this->Options);
   }
 
@@ -320,83 +414,67 @@ private:
     return slab.Joins.IsGap ? this->Spacing : slab.Thickness;
   }
 
-  EndsOfSlabs FindPartialEndsOfSlabs(double progress) const
+  void FindEndsOfSlab(int i)
   {
-    std::vector<std::vector<Point2>> skeletons;
-    for (const LevelState& level : this->Levels)
+    const auto side = [&](int level, int towards)
     {
-      skeletons.push_back(level.InternalSkeleton);
-    }
-    std::vector<std::vector<int>> own(this->Levels.size());
-    this->Runner.ForAll(this->Levels.size(), progress, progress, "rounding off ends",
-      [&](int i) { own[i] = this->Levels[i].Triangulator->Locate(skeletons[i]); });
-    const auto places = LocateInNeighbours(this->Levels, skeletons, this->Runner, progress);
-    const auto side = [&](int i, int towards)
-    {
-      const auto& other = towards > 0 ? places[i].Above : places[i].Below;
-      const auto& behind = towards > 0 ? places[i].Below : places[i].Above;
-      return SkeletonSide{ &this->Levels[i], this->LevelOrNull(i - towards), &own[i], &other,
-        &behind };
+      const NeighbourPlaces& places = this->SkeletonPlaces[level];
+      return SkeletonSide{ &this->Levels[level], this->LevelOrNull(level - towards),
+        &this->Passing[level].SkeletonTriangles, towards > 0 ? &places.Above : &places.Below,
+        towards > 0 ? &places.Below : &places.Above };
     };
-    EndsOfSlabs ends(this->Slabs.size());
-    this->Runner.ForAll(ends.size(), progress, progress, "rounding off ends",
-      [&](int i)
-      { ends[i] = FindPartialEnds(this->Slabs[i].Diagram, side(i, 1), side(i + 1, -1)); });
-    return ends;
+    this->Ends[i] = FindPartialEnds(this->Slabs[i].Diagram, side(i, 1), side(i + 1, -1));
   }
 
-  /// Returns whether there were any at that level.
-  bool AddPartialEnds(std::size_t level, const EndsOfSlabs& endsOfSlabs)
+  /// In the first round points for ends, too, and not only for what is bare.
+  void AddPointsWhereNeeded(std::size_t round)
   {
-    auto& triangulator = *this->Levels[level].Triangulator;
-    bool any = false;
-    if (level > 0)
+    RoundFronts& fronts = this->Fronts[round];
+    const std::size_t levels = this->Levels.size();
+    const bool partialEnds = round == 0 && this->RoundsOffPartialEnds();
+    const char* const timed = "cap ends and cover bare parts";
+    std::size_t end = std::min(fronts.Lifted.Allows(levels, 1), fronts.Outside.Allows(levels, 1));
+    if (partialEnds)
     {
-      const auto& below = endsOfSlabs[level - 1];
-      triangulator.AddInternalPoints(below[1], LevelTriangulation::LevelBelow);
-      triangulator.AddExternalPoints(below[0]);
-      any = !below[0].empty() || !below[1].empty();
+      const char* const stage = "rounding off ends";
+      this->Advance(timed, fronts.SkeletonLocated, fronts.Located.Allows(levels, 0), 0, stage,
+        [&](std::size_t i)
+        {
+          this->Passing[i].SkeletonTriangles =
+            this->Levels[i].Triangulator->Locate(this->Levels[i].InternalSkeleton);
+          LocateInternalSkeletons(this->Levels, i, this->SkeletonPlaces);
+        });
+      const std::size_t slabs = std::min(fronts.SkeletonLocated.Allows(this->Slabs.size(), 2),
+        fronts.Covered.Allows(this->Slabs.size(), 2));
+      this->Advance(timed, fronts.Ended, slabs, 0, stage,
+        [&](std::size_t i) { this->FindEndsOfSlab(static_cast<int>(i)); });
+      end = std::min(end, fronts.Ended.Allows(levels, 1));
     }
-    if (level < endsOfSlabs.size())
-    {
-      const auto& above = endsOfSlabs[level];
-      triangulator.AddInternalPoints(above[0], LevelTriangulation::LevelAbove);
-      triangulator.AddExternalPoints(above[1]);
-      any = any || !above[0].empty() || !above[1].empty();
-    }
-    return any;
-  }
-
-  /// Returns whether any level was changed. first: points for ends, too, and not only for what is
-  /// bare.
-  bool AddPointsWhereNeeded(bool first, double progress)
-  {
-    this->Runner.Timed("cap ends and cover bare parts",
-      [&]
+    const std::size_t from = fronts.Added.Done;
+    this->Advance(timed, fronts.Added, end, 0, "covering what is bare",
+      [&](std::size_t i)
       {
-        const bool round = first && PolyhedralOptions::IsRounded(this->Options.EndCaps);
-        const bool partialEnds = first && this->RoundsOffPartialEnds();
-        const EndsOfSlabs ends =
-          partialEnds ? this->FindPartialEndsOfSlabs(progress) : EndsOfSlabs();
-        this->Runner.ForAll(this->Levels.size(), progress, progress, "covering what is bare",
-          [&](int i)
-          {
-            const bool anyEnds = partialEnds && this->AddPartialEnds(i, ends);
-            this->AddCapAndCoverPoints(i, round, anyEnds);
-          });
+        const bool anyEnds = partialEnds &&
+          AddPartialEnds(*this->Levels[i].Triangulator, i > 0 ? &this->Ends[i - 1] : nullptr,
+            i < this->Ends.size() ? &this->Ends[i] : nullptr);
+        this->AddCapAndCoverPoints(i, round == 0, anyEnds);
       });
-    return std::any_of(this->Levels.begin(), this->Levels.end(),
-      [](const LevelState& level) { return level.Changed; });
+    for (std::size_t i = from; i < end; ++i)
+    {
+      this->LastRoundAdded =
+        this->Levels[i].Changed ? std::max(this->LastRoundAdded, round + 1) : this->LastRoundAdded;
+    }
   }
 
   /// anyEnds: the triangulator was changed already.
-  void AddCapAndCoverPoints(int index, bool round, bool anyEnds)
+  void AddCapAndCoverPoints(std::size_t index, bool first, bool anyEnds)
   {
     LevelState& level = this->Levels[index];
+    const bool round = first && PolyhedralOptions::IsRounded(this->Options.EndCaps);
     const std::vector<Point2> bare =
       FindCoverPoints(level.Triangulation, level.Covered, level.Lifted);
     const std::vector<Point2> caps = round ? FindEndCapPoints(level.Triangulation, level.Covered,
-                                               this->Units[index], this->Extrapolates())
+                                               this->Passing[index].Unit, this->Extrapolates())
                                            : std::vector<Point2>();
     level.Changed = anyEnds || !bare.empty() || !caps.empty();
     if (!level.Changed)
@@ -415,16 +493,59 @@ private:
     level.Triangulation = level.Triangulator->Finish();
   }
 
+  /// Levels that no stage changes or asks any more, and the slabs below them.
+  void FinishLevels()
+  {
+    const std::size_t from = this->Finished.Done;
+    // A slab is lifted by distances from the contours of two levels on either side.
+    const std::size_t end = this->Fronts.back().Lifted.Allows(this->Levels.size(), 1);
+    for (std::size_t i = from; i < end; ++i)
+    {
+      LevelState& level = this->Levels[i];
+      level.Needles = level.Triangulator->Needles();
+      // These take more memory than all that is handed on.
+      level.Triangulator.reset();
+      level.Distance.reset();
+      level.InternalSkeleton = {};
+      this->Passing[i] = {};
+      this->SkeletonPlaces[i] = {};
+      if (this->Said)
+      {
+        this->Said->AddLevel(level);
+      }
+      if (i > 0)
+      {
+        this->Ends[i - 1] = {};
+        if (this->Said)
+        {
+          this->Said->AddSlab(
+            static_cast<int>(i - 1), this->Levels[i - 1], level, this->Slabs[i - 1].Diagram);
+        }
+      }
+    }
+    this->Finished.Done = end;
+  }
+
   const ContourSet& Contours;
   const PolyhedralOptions& Options;
   TetrahedraWanted Wanted;
   bool KeepsEarlier;
   StageRunner Runner;
   double Spacing; ///< of the whole stack
+  double Progress = MappedAt;
   decltype(JoinsOfPart::KnownDiagram) KnownDiagram;
-  std::optional<EndShapes> Shapes;                       ///< where ends are extrapolated
-  std::vector<std::array<EndShapesOfLevel, 2>> ShapesOf; ///< by level, below and above
-  std::vector<double> Units; ///< of the last decimal of each level's contours
+  std::optional<EndShapes> Shapes; ///< where ends are extrapolated
+  std::optional<StageReport> Said; ///< of a whole stack
+  std::vector<PassingLevel> Passing;
+  std::vector<NeighbourPlaces> InternalPlaces; ///< of internal points, by level
+  std::vector<NeighbourPlaces> SkeletonPlaces; ///< of internal skeletons, by level
+  std::vector<EndsOfSlab> Ends;                ///< by slab
+  StageFront Triangulated;                     ///< levels, as the next two
+  StageFront SkeletonsFound;
+  StageFront Inserted;
+  std::array<RoundFronts, Rounds> Fronts;
+  StageFront Finished;            ///< levels
+  std::size_t LastRoundAdded = 0; ///< the last round in which points were added, from one; 0 = none
   PolyhedralStages Out;
   std::vector<LevelState>& Levels = Out.Levels;
   std::vector<SlabState>& Slabs = Out.Slabs;
@@ -432,40 +553,22 @@ private:
 }
 
 PolyhedralStages BuildPolyhedralStages(const ContourSet& contours, const PolyhedralOptions& options,
-  Monitor& monitor, double progressEnd, TetrahedraWanted wanted, bool keepsEarlier)
+  Monitor& monitor, double progressEnd, TetrahedraWanted wanted, bool keepsEarlier,
+  const StagesSink& sink)
 {
   RequireParallelLevels(contours);
   LevelAlignment alignment = FindLevelAlignment(contours, options.AlignLevels, options.ForcedJoins);
   auto shifted = alignment.IsEmpty() ? std::unique_ptr<ContourSet>()
                                      : std::make_unique<ContourSet>(Aligned(contours, alignment));
-  PolyhedralStages stages =
-    Builder(shifted ? *shifted : contours, options, monitor, progressEnd, wanted, keepsEarlier)
-      .Build();
-  stages.Report.insert(stages.Report.begin(), alignment.Report.begin(), alignment.Report.end());
-  stages.Alignment = std::move(alignment);
-  stages.Shifted = std::move(shifted);
-  return stages;
+  Builder builder(
+    shifted ? *shifted : contours, options, monitor, progressEnd, wanted, keepsEarlier);
+  return builder.Build(std::move(alignment), std::move(shifted), sink);
 }
 
 PolyhedralStages BuildStagesOfPart(const ContourSet& part, const JoinsOfPart& joins,
   const PolyhedralOptions& options, Monitor& monitor, double progressEnd, TetrahedraWanted wanted)
 {
   return Builder(part, options, monitor, progressEnd, wanted, true).BuildPart(joins);
-}
-
-void AddReports(
-  const ContourSet& contours, const PolyhedralOptions& options, PolyhedralStages& stages)
-{
-  for (const LevelState& level : stages.Levels)
-  {
-    for (int contour : level.Needles)
-    {
-      stages.Report.push_back(DescribeNeedle(contours, contour));
-    }
-  }
-  ReportLevelsWithoutCondition2(stages.Levels, stages.Report);
-  ReportJoinsNotMade(stages.Mapping, stages.Levels, stages.Slabs, stages.Report);
-  ReportContoursLeftOut(contours, stages.Levels, options, stages.Report);
 }
 
 void RequireParallelLevels(const ContourSet& contours)

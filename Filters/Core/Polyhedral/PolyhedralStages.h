@@ -14,6 +14,7 @@
 #include "Contours/LevelAlignment.h"
 #include "Polyhedral/LevelState.h"
 #include "Polyhedral/PolyhedralOptions.h"
+#include "Polyhedral/SlabDiagram.h"
 #include "Polyhedral/SlabState.h"
 
 #include <cstddef>
@@ -52,21 +53,19 @@ struct PolyhedralStages
   int Rounds = 0; ///< in which tetrahedra were made, as points were added for ends and bare parts
   std::vector<std::string> Report;
   std::vector<std::pair<std::string, double>> StageSeconds; ///< wall time by stage
+  std::size_t Forgotten =
+    0; ///< of so many levels, and of the slabs below them, little is left: see StagesMemory.h
 };
 
-/// Which tetrahedra are made.
-enum class TetrahedraWanted
-{
-  All,          ///< of every slab
-  ForSurface,   ///< all, but where they are too many those only that bear on the boundary
-  BoundaryOnly, ///< in every slab whose levels allow it; what tests compare with All
-};
+/// Hears of levels as they are finished: that the first so many are, and the slabs between them. Returns how many of
+/// these nobody needs any more (ForgetBelow); called in the thread of the caller.
+using StagesSink = std::function<std::size_t(const PolyhedralStages& stages, std::size_t levels)>;
 
 /// @throws Error where the contours are not parallel or span fewer than two levels; Aborted.
 /// Progress runs from 0 to progressEnd.
 PolyhedralStages BuildPolyhedralStages(const ContourSet& contours, const PolyhedralOptions& options,
   Monitor& monitor, double progressEnd = 1, TetrahedraWanted wanted = TetrahedraWanted::All,
-  bool keepsEarlier = false);
+  bool keepsEarlier = false, const StagesSink& sink = {});
 
 /// What is joined in each slab of a stack that a part was taken from, and its Spacing().
 struct JoinsOfPart
@@ -87,10 +86,6 @@ struct JoinsOfPart
  */
 PolyhedralStages BuildStagesOfPart(const ContourSet& part, const JoinsOfPart& joins,
   const PolyhedralOptions& options, Monitor& monitor, double progressEnd, TetrahedraWanted wanted);
-
-/// Lines on what became of contours, for stages that have all else.
-void AddReports(
-  const ContourSet& contours, const PolyhedralOptions& options, PolyhedralStages& stages);
 
 /// @throws Error where the method cannot begin with such contours.
 void RequireParallelLevels(const ContourSet& contours);

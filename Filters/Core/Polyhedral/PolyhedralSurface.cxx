@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Polyhedral/PolyhedralSurface.h"
 
-#include "Base/Parallel.h"
 #include "Base/SubMonitor.h"
 #include "Base/Text.h"
 #include "Mesh/CrossingRepair.h"
@@ -10,12 +9,10 @@
 #include "Mesh/PinchGap.h"
 #include "Mesh/SectionCuts.h"
 #include "Mesh/SheetLinks.h"
-#include "Polyhedral/FaceGroups.h"
 #include "Polyhedral/KeptStages.h"
 #include "Polyhedral/PinchedPoints.h"
 #include "Polyhedral/PolyhedralStages.h"
-#include "Polyhedral/SolidBoundary.h"
-#include "Polyhedral/SolidComplex.h"
+#include "Polyhedral/SurfaceAssembly.h"
 #include "Polyhedral/TopologyContract.h"
 
 #include <algorithm>
@@ -30,7 +27,10 @@ namespace recon
 namespace
 {
 /// Share of the progress bar that the stages before the surface take.
-constexpr double StagesShare = 0.85;
+constexpr double StagesShare = 0.97;
+
+/// Progress when all of the surface is there.
+constexpr double FinishedAt = StagesShare;
 
 /// The same of the search for what a contract asks for, where there is one.
 constexpr double SearchShare = 0.8;
@@ -39,11 +39,11 @@ constexpr double SearchShare = 0.8;
 /// no farther than what draws sheets apart.
 constexpr double LargestNudge = 1e-3;
 
-/// The solid's boundary with everything that the user may want to know about its faces and points.
-class SurfaceWriter
+/// What is done to the surface once it is whole.
+class SurfaceFinisher
 {
 public:
-  SurfaceWriter(const ContourSet& contours, const PolyhedralOptions& options,
+  SurfaceFinisher(const ContourSet& contours, const PolyhedralOptions& options,
     const PolyhedralStages& stages, Monitor& monitor)
     : Contours(contours),
       Options(options),
@@ -52,28 +52,16 @@ public:
   {
   }
 
-  /// solid: of the stages, of which the slabs may be gone.
-  PolyhedralSurface Write(const SolidComplex& solid)
+  PolyhedralSurface Finish(AssembledSurface assembled)
   {
-    SolidBoundary boundary;
-    std::vector<int> pieces;
-    const auto examine = [&](int part)
+    this->Observer.Update(FinishedAt, "extracting the surface");
+    this->Result = std::move(assembled.Surface);
+    this->IsPointExact = std::move(assembled.IsPointExact);
+    if (this->Options.EndCaps == PolyhedralOptions::NoCaps)
     {
-      if (part == 0)
-      {
-        boundary = ExtractSolidBoundary(solid);
-      }
-      else
-      {
-        pieces = FindPieces(solid);
-      }
-    };
-    ParallelFor(
-      2, this->Options.Threads, examine, this->Observer, { 0.9, 0.97, "extracting the surface" });
-    this->CopyPoints(solid, boundary);
-    this->CopyFaces(solid, boundary, pieces);
-    this->MeasureCaps(solid);
-    if (AsksForTopology(this->Options) && this->Options.EndCaps != PolyhedralOptions::NoCaps)
+      this->LeaveOpen();
+    }
+    else if (AsksForTopology(this->Options))
     {
       this->LinkPieces();
       this->CutHandles();
@@ -85,106 +73,31 @@ public:
   }
 
 private:
-  Point3 PositionOf(const SolidComplex::Vertex& vertex) const
+  void LeaveOpen()
   {
-    const int source =
-      vertex.Lifted ? -1 : this->Stages.Levels[vertex.Level].Triangulation.Source[vertex.Local];
-    return source >= 0
-      ? this->Contours.Points[source]
-      : this->Contours.Levels[0].Frame.ToSpace(
-          this->Stages.Alignment.Undo(vertex.Planar, vertex.Height), vertex.Height);
-  }
-
-  /// A lifted copy of a contour point is not the contour's.
-  int KindOf(const SolidComplex::Vertex& vertex) const
-  {
-    return vertex.Lifted ? static_cast<int>(LevelTriangulation::Internal)
-                         : this->Stages.Levels[vertex.Level].Triangulation.Kind[vertex.Local];
-  }
-
-  /// Whether the point that was decided on is the one that is given out, to the last bit.
-  bool IsExact(const SolidComplex::Vertex& vertex, const Point3& position) const
-  {
-    return vertex.Local >= 0 && !this->PointsRound() &&
-      position == this->Contours.Levels[0].Frame.ToSpace(vertex.Planar, vertex.Height);
-  }
-
-  void CopyPoints(const SolidComplex& solid, const SolidBoundary& boundary)
-  {
-    this->IsPointExact.reserve(boundary.Points.size());
-    this->Result.Mesh.Points.reserve(boundary.Points.size());
-    this->Result.PointKind.reserve(boundary.Points.size());
-    for (const auto& point : boundary.Points)
+    std::vector<int> left;
+    for (std::size_t t = 0; t < this->Result.FaceKind.size(); ++t)
     {
-      const auto& vertex = solid.Vertices[point.Vertex];
-      Point3 position = this->PositionOf(vertex);
-      int kind = this->KindOf(vertex);
-      this->IsPointExact.push_back(
-        point.OtherVertex < 0 && this->IsExact(vertex, position) ? 1 : 0);
-      if (point.OtherVertex >= 0)
+      if (this->Result.FaceKind[t] != PolyhedralSurface::Cap)
       {
-        position = 0.5 * (position + this->PositionOf(solid.Vertices[point.OtherVertex]));
-        kind = LevelTriangulation::Internal;
-      }
-      this->Result.Mesh.Points.push_back(position);
-      this->Result.PointKind.push_back(kind);
-    }
-  }
-
-  /// All corners in the plane of one level, none lifted out of it.
-  static bool LiesInPlane(
-    const SolidComplex& solid, const SolidBoundary& boundary, const SolidBoundary::Face& face)
-  {
-    const int level = solid.Vertices[boundary.Points[face.Points[0]].Vertex].Level;
-    const auto isOff = [&](int v)
-    { return v >= 0 && (solid.Vertices[v].Lifted || solid.Vertices[v].Level != level); };
-    for (int p : face.Points)
-    {
-      // The middle of a halved edge lies in the plane where both ends do.
-      if (isOff(boundary.Points[p].Vertex) || isOff(boundary.Points[p].OtherVertex))
-      {
-        return false;
+        left.push_back(static_cast<int>(t));
       }
     }
-    return true;
-  }
-
-  void CopyFaces(
-    const SolidComplex& solid, const SolidBoundary& boundary, const std::vector<int>& pieces)
-  {
-    const std::vector<int> groups =
-      FindFaceGroups(this->Contours, this->Stages, solid, boundary, pieces);
-    this->Result.Mesh.Triangles.reserve(boundary.Faces.size());
-    for (std::vector<int>* ofTriangle : { &this->Result.Slab, &this->Result.FaceKind,
-           &this->Result.MappingGroup, &this->Result.Piece })
+    const std::size_t leftOpen = this->Result.FaceKind.size() - left.size();
+    std::vector<std::array<int, 3>> triangles;
+    triangles.reserve(left.size());
+    for (const int t : left)
     {
-      ofTriangle->reserve(boundary.Faces.size());
+      triangles.push_back(this->Result.Mesh.Triangles[t]);
     }
-    int leftOpen = 0;
-    for (std::size_t f = 0; f < boundary.Faces.size(); ++f)
+    this->Result.Mesh.Triangles = std::move(triangles);
+    this->TakeLabelsOf(left);
+    this->Result.Report.push_back("The surface is open: EndCaps is None, so " +
+      std::to_string(leftOpen) + " triangles in the planes of ends were left out.");
+    for (const int original : CutPinchedPoints(this->Result.Mesh))
     {
-      const SolidBoundary::Face& face = boundary.Faces[f];
-      const bool cap = LiesInPlane(solid, boundary, face);
-      if (cap && this->Options.EndCaps == PolyhedralOptions::NoCaps)
-      {
-        ++leftOpen;
-        continue;
-      }
-      this->Result.Mesh.Triangles.push_back(face.Points);
-      this->Result.Slab.push_back(solid.Cells[face.Cell].Slab);
-      this->Result.FaceKind.push_back(cap ? PolyhedralSurface::Cap : PolyhedralSurface::Wall);
-      this->Result.MappingGroup.push_back(groups[f]);
-      this->Result.Piece.push_back(pieces[face.Cell]);
-    }
-    if (this->Options.EndCaps == PolyhedralOptions::NoCaps)
-    {
-      this->Result.Report.push_back("The surface is open: EndCaps is None, so " +
-        std::to_string(leftOpen) + " triangles in the planes of ends were left out.");
-      for (int original : CutPinchedPoints(this->Result.Mesh))
-      {
-        this->Result.PointKind.push_back(this->Result.PointKind[original]);
-        this->IsPointExact.push_back(this->IsPointExact[original]);
-      }
+      this->Result.PointKind.push_back(this->Result.PointKind[original]);
+      this->IsPointExact.push_back(this->IsPointExact[original]);
     }
   }
 
@@ -198,19 +111,25 @@ private:
     return offsets;
   }
 
-  /// What a triangle was made of tells what it is.
-  void RelabelTriangles(const std::vector<int>& partOf)
+  /// Slab, FaceKind, MappingGroup and Piece of every triangle are those of an earlier one.
+  void TakeLabelsOf(const std::vector<int>& earlier)
   {
     for (std::vector<int>* ofTriangle : { &this->Result.Slab, &this->Result.FaceKind,
            &this->Result.MappingGroup, &this->Result.Piece })
     {
-      const std::vector<int> before = *ofTriangle;
+      const std::vector<int> before = std::move(*ofTriangle);
       ofTriangle->clear();
-      for (const int whole : partOf)
+      for (const int triangle : earlier)
       {
-        ofTriangle->push_back(before[static_cast<std::size_t>(whole)]);
+        ofTriangle->push_back(before[static_cast<std::size_t>(triangle)]);
       }
     }
+  }
+
+  /// What a triangle was made of tells what it is.
+  void RelabelTriangles(const std::vector<int>& partOf)
+  {
+    this->TakeLabelsOf(partOf);
     this->Result.PointKind.resize(this->Result.Mesh.Points.size(), LevelTriangulation::Internal);
     // Triangles that were not decided with the tetrahedra may cross, wherever their corners are.
     this->IsPointExact.clear();
@@ -372,37 +291,12 @@ private:
     }
   }
 
-  static double VolumeOf(const SolidComplex& solid, const SolidComplex::Cell& cell)
-  {
-    const auto at = [&](int k)
-    {
-      const auto& v = solid.Vertices[cell.Vertices[k]];
-      return Point3{ v.Planar[0], v.Planar[1], v.Height };
-    };
-    return Dot(at(1) - at(0), Cross(at(2) - at(0), at(3) - at(0))) / 6;
-  }
-
-  void MeasureCaps(const SolidComplex& solid)
-  {
-    for (const auto& cell : solid.Cells)
-    {
-      if (cell.Part == SolidComplex::EndCap)
-      {
-        this->Result.EndCapVolume += VolumeOf(solid, cell);
-      }
-      else if (cell.Part == SolidComplex::Isolated)
-      {
-        this->Result.IsolatedVolume += VolumeOf(solid, cell);
-      }
-    }
-  }
-
   const ContourSet& Contours;
   const PolyhedralOptions& Options;
   const PolyhedralStages& Stages;
   Monitor& Observer;
   std::vector<char>
-    IsPointExact; ///< see IsExact; points that were computed from others are not; empty: none is
+    IsPointExact; ///< see PointOnSurface; points that were computed from others are not; empty: none is
   std::optional<double>
     TypicalEdge; ///< MedianEdgeLength of the mesh where it is known as it is now
   PolyhedralSurface Result;
@@ -411,26 +305,29 @@ private:
 PolyhedralSurface BuildAsMapped(const ContourSet& contours, const PolyhedralOptions& options,
   Monitor& monitor, TetrahedraWanted wanted, KeptStages* kept)
 {
+  SurfaceAssembly assembly(contours, options, monitor);
+  std::chrono::duration<double> seconds{ 0 };
+  const auto watched = [&](const auto& work)
+  {
+    const auto start = std::chrono::steady_clock::now();
+    auto result = work();
+    seconds += std::chrono::steady_clock::now() - start;
+    return result;
+  };
+  const StagesSink sink = [&](const PolyhedralStages& stages, std::size_t levels)
+  { return watched([&] { return assembly.Add(stages, levels); }); };
   PolyhedralStages own;
   if (!kept)
   {
-    own = BuildPolyhedralStages(contours, options, monitor, StagesShare, wanted);
+    own = BuildPolyhedralStages(contours, options, monitor, StagesShare, wanted, false, sink);
   }
   const PolyhedralStages& stages =
-    kept ? kept->Update(contours, options, monitor, StagesShare, wanted) : own;
-  const auto start = std::chrono::steady_clock::now();
-  monitor.Update(StagesShare, "extracting the surface");
-  const SolidComplex solid = BuildSolidComplex(stages.Levels, stages.Slabs);
-  own.Slabs = {}; // as much again as the complex
-  PolyhedralSurface surface = SurfaceWriter(contours, options, stages, monitor).Write(solid);
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    kept ? kept->Update(contours, options, monitor, StagesShare, wanted, sink) : own;
+  PolyhedralSurface surface = watched(
+    [&] { return SurfaceFinisher(contours, options, stages, monitor).Finish(assembly.Finish()); });
   surface.Report.insert(surface.Report.begin(), stages.Report.begin(), stages.Report.end());
   surface.StageSeconds = stages.StageSeconds;
   surface.StageSeconds.emplace_back("extract surface", seconds.count());
-  if (kept)
-  {
-    kept->ForgetIfLarge();
-  }
   return surface;
 }
 }

@@ -28,6 +28,7 @@ public:
     this->CollectFaces();
     this->PairEdges();
     this->NumberPoints();
+    this->Boundary.WholeFaces = static_cast<int>(this->Boundary.Faces.size());
     this->HalveSharedEdges();
     return std::move(this->Boundary);
   }
@@ -46,13 +47,12 @@ private:
           continue;
         }
         this->FaceOf[c][k] = static_cast<int>(this->Boundary.Faces.size());
-        SolidBoundary::Face face{ {}, static_cast<int>(c) };
+        SolidBoundary::Face face{ {}, static_cast<int>(c), k };
         for (int j = 0; j < 3; ++j)
         {
           face.Points[j] = cell.Vertices[OutwardFace[k][j]];
         }
         this->Boundary.Faces.push_back(face);
-        this->Opposite.push_back(k);
       }
     }
   }
@@ -65,7 +65,7 @@ private:
     const int a = points[j];
     const int b = points[(j + 1) % 3];
     int cell = this->Boundary.Faces[face].Cell;
-    int entered = this->Opposite[face];
+    int entered = this->Boundary.Faces[face].Opposite;
     for (;;)
     {
       const auto& vertices = this->Solid.Cells[cell].Vertices;
@@ -286,7 +286,7 @@ private:
     {
       const SolidBoundary::Face piece{
         { { polygon[apex], polygon[(apex + i) % size], polygon[(apex + i + 1) % size] } },
-        whole.Cell
+        whole.Cell, whole.Opposite
       };
       if (i == 1)
       {
@@ -297,12 +297,13 @@ private:
         this->Boundary.Faces.push_back(piece);
       }
     }
+    this->Boundary.Splits.push_back(
+      { face, whole.Points, static_cast<int>(this->Boundary.Faces.size()) });
   }
 
   const SolidComplex& Solid;
   SolidBoundary Boundary;
   std::vector<std::array<int, 4>> FaceOf; ///< of a cell's faces the number on the boundary, or -1
-  std::vector<int> Opposite;              ///< of a boundary face the vertex of its cell opposite it
   std::vector<int> Partner;
 };
 }

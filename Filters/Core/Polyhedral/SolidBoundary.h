@@ -32,10 +32,22 @@ struct SolidBoundary
   {
     std::array<int, 3> Points; ///< counterclockwise seen from outside
     int Cell;                  ///< the tetrahedron behind it
+    int Opposite;              ///< vertex of the tetrahedron that does not belong to the face
   };
 
-  std::vector<Point> Points;
-  std::vector<Face> Faces;
+  /// A face of which edges were halved: the first of its pieces took its place, the others stand after all
+  /// faces, piece by piece and face by face; middles stand after all other points.
+  struct Split
+  {
+    int Face;
+    std::array<int, 3> Whole; ///< the corners that it had
+    int End;                  ///< of its other pieces, which begin where those before it end
+  };
+
+  std::vector<Point> Points; ///< in the order in which faces name them
+  std::vector<Face> Faces;   ///< by cell, but for pieces
+  std::vector<Split> Splits; ///< by face
+  int WholeFaces = 0;        ///< the others are pieces of these
 };
 
 SolidBoundary ExtractSolidBoundary(const SolidComplex& solid);

@@ -20,10 +20,13 @@ struct Side
 class Builder
 {
 public:
-  Builder(const std::vector<LevelState>& levels, const std::vector<SlabState>& slabs)
+  Builder(const std::vector<LevelState>& levels, const std::vector<SlabState>& slabs,
+    const SlabRange& range)
     : Levels(levels),
-      Slabs(slabs)
+      Slabs(slabs),
+      Range(range)
   {
+    this->Complex.Slabs = range;
   }
 
   SolidComplex Build()
@@ -31,26 +34,37 @@ public:
     this->AddPlanarVertices();
     this->ReserveCells();
     // By level: the faces that the solid shows to the plane from above and from below.
-    std::vector<std::vector<Side>> above(this->Levels.size());
-    std::vector<std::vector<Side>> below(this->Levels.size());
-    for (std::size_t level = 0; level < this->Levels.size(); ++level)
+    const int levels = this->Range.End - this->Range.First + 1;
+    std::vector<std::vector<Side>> above(levels);
+    std::vector<std::vector<Side>> below(levels);
+    for (int i = 0; i < levels; ++i)
     {
-      const std::size_t count = this->Levels[level].Triangulation.Triangles.size();
-      above[level].resize(count);
-      below[level].resize(count);
+      const std::size_t count = this->LevelOf(i).Triangulation.Triangles.size();
+      above[i].resize(count);
+      below[i].resize(count);
     }
-    for (std::size_t slab = 0; slab < this->Slabs.size(); ++slab)
+    for (int i = 0; i + 1 < levels; ++i)
     {
-      this->AddSlab(static_cast<int>(slab), above[slab], below[slab + 1]);
+      this->AddSlab(this->Range.First + i, above[i], below[i + 1]);
     }
-    const int last = static_cast<int>(this->Levels.size()) - 1;
-    this->FillGap(
-      -1, 0, this->AddLiftedVertices(0, this->Levels[0].Lifted.Below), nullptr, below[0]);
-    this->FillGap(last, last, this->AddLiftedVertices(last, this->Levels[last].Lifted.Above),
-      nullptr, above[last]);
-    for (std::size_t level = 0; level < this->Levels.size(); ++level)
+    this->Complex.FirstCell.push_back(static_cast<int>(this->Complex.Cells.size()));
+    const int last = static_cast<int>(this->Slabs.size());
+    const bool hasFirst = this->Range.First == 0;
+    const bool hasLast = this->Range.End == last;
+    if (hasFirst)
     {
-      this->JoinAcrossPlane(static_cast<int>(level), above[level], below[level]);
+      this->FillGap(
+        -1, 0, this->AddLiftedVertices(0, this->Levels[0].Lifted.Below), nullptr, below.front());
+    }
+    if (hasLast)
+    {
+      this->FillGap(last, last, this->AddLiftedVertices(last, this->Levels[last].Lifted.Above),
+        nullptr, above.back());
+    }
+    // What lies beyond the planes of a part's first and last level is not known.
+    for (int i = hasFirst ? 0 : 1; i < (hasLast ? levels : levels - 1); ++i)
+    {
+      this->JoinAcrossPlane(this->Range.First + i, above[i], below[i]);
     }
     return std::move(this->Complex);
   }
@@ -60,15 +74,17 @@ private:
   void ReserveCells()
   {
     std::size_t kept = 0;
-    for (const SlabState& slab : this->Slabs)
+    for (int slab = this->Range.First; slab < this->Range.End; ++slab)
     {
-      kept += std::count_if(slab.Diagram.Tetrahedra.begin(), slab.Diagram.Tetrahedra.end(),
+      const auto& tetrahedra = this->Slabs[slab].Diagram.Tetrahedra;
+      kept += std::count_if(tetrahedra.begin(), tetrahedra.end(),
         [](const auto& t) { return t.Reason == SlabTetrahedra::Kept; });
     }
-    for (const LevelState& level : this->Levels)
+    for (int level = this->Range.First; level <= this->Range.End; ++level)
     {
-      kept += CountLiftedCorners(level.Triangulation, level.Lifted.Below) +
-        CountLiftedCorners(level.Triangulation, level.Lifted.Above);
+      const LevelState& of = this->Levels[level];
+      kept += CountLiftedCorners(of.Triangulation, of.Lifted.Below) +
+        CountLiftedCorners(of.Triangulation, of.Lifted.Above);
     }
     this->Complex.Cells.reserve(kept + kept / 64);
   }
@@ -89,16 +105,24 @@ private:
     return count;
   }
 
+  const LevelState& LevelOf(int i) const { return this->Levels[this->Range.First + i]; }
+
+  /// Of a point of a level of the range, in its plane.
+  int VertexOf(int level, int point) const
+  {
+    return this->FirstVertex[level - this->Range.First] + point;
+  }
+
   void AddPlanarVertices()
   {
-    for (std::size_t level = 0; level < this->Levels.size(); ++level)
+    for (int level = this->Range.First; level <= this->Range.End; ++level)
     {
       const auto& points = this->Levels[level].Triangulation.Points;
       this->FirstVertex.push_back(static_cast<int>(this->Complex.Vertices.size()));
       for (std::size_t p = 0; p < points.size(); ++p)
       {
-        this->Complex.Vertices.push_back({ points[p], this->Levels[level].Offset,
-          static_cast<int>(level), static_cast<int>(p), false });
+        this->Complex.Vertices.push_back(
+          { points[p], this->Levels[level].Offset, level, static_cast<int>(p), false });
       }
     }
   }
@@ -110,7 +134,7 @@ private:
     std::vector<int> seen(points.size());
     for (std::size_t p = 0; p < points.size(); ++p)
     {
-      seen[p] = this->FirstVertex[level] + static_cast<int>(p);
+      seen[p] = this->VertexOf(level, static_cast<int>(p));
       if (p < heights.size() && !std::isnan(heights[p]))
       {
         seen[p] = static_cast<int>(this->Complex.Vertices.size());
@@ -123,6 +147,7 @@ private:
 
   void AddSlab(int slab, std::vector<Side>& aboveLower, std::vector<Side>& belowUpper)
   {
+    this->Complex.FirstCell.push_back(static_cast<int>(this->Complex.Cells.size()));
     this->Lower.push_back(this->AddLiftedVertices(slab, this->Levels[slab].Lifted.Above));
     this->Upper.push_back(this->AddLiftedVertices(slab + 1, this->Levels[slab + 1].Lifted.Below));
     const std::vector<int>& lower = this->Lower.back();
@@ -237,7 +262,7 @@ private:
     std::sort(order.begin(), order.end(), [&](int i, int j) { return corners[i] < corners[j]; });
     for (int k = 0; k < 3; ++k)
     {
-      current[k] = this->FirstVertex[level] + corners[k];
+      current[k] = this->VertexOf(level, corners[k]);
     }
     Side open; // the face of the last cell that looks away from the plane
     for (int k : order)
@@ -328,8 +353,9 @@ private:
     const int slab = upwards ? level : level - 1;
     const auto& tetrahedra = this->Slabs[slab].Diagram.Tetrahedra;
     const int apex = upwards
-      ? this->Upper[slab][tetrahedra[t].Corners[3]]
-      : this->Lower[slab][tetrahedra[this->Slabs[slab].Diagram.NumberOfT1 + t].Corners[3]];
+      ? this->Upper[slab - this->Range.First][tetrahedra[t].Corners[3]]
+      : this->Lower[slab - this->Range.First]
+                   [tetrahedra[this->Slabs[slab].Diagram.NumberOfT1 + t].Corners[3]];
     const auto& top = this->Complex.Vertices[apex];
     const auto& triangulation = this->Levels[level].Triangulation;
     const auto& corners = triangulation.Triangles[t];
@@ -341,7 +367,7 @@ private:
     {
       const Point2& p = triangulation.Points[corners[k]];
       centroid = { centroid[0] + p[0] / 3, centroid[1] + p[1] / 3 };
-      cell.Vertices[GapCorner(k, upwards)] = this->FirstVertex[level] + corners[k];
+      cell.Vertices[GapCorner(k, upwards)] = this->VertexOf(level, corners[k]);
     }
     const double rise = top.Height - this->Levels[level].Offset;
     const double share = std::min(0.25, Inradius(triangulation, corners) / std::abs(rise));
@@ -370,9 +396,10 @@ private:
 
   const std::vector<LevelState>& Levels;
   const std::vector<SlabState>& Slabs;
-  std::vector<int> FirstVertex;
+  const SlabRange Range;
+  std::vector<int> FirstVertex; ///< by level of the range
   std::vector<std::vector<int>>
-    Lower; ///< by slab: vertices of its lower level as the slab sees them
+    Lower; ///< by slab of the range: vertices of its lower level as the slab sees them
   std::vector<std::vector<int>> Upper; ///< the same of its upper level
   SolidComplex Complex;
 };
@@ -381,6 +408,12 @@ private:
 SolidComplex BuildSolidComplex(
   const std::vector<LevelState>& levels, const std::vector<SlabState>& slabs)
 {
-  return Builder(levels, slabs).Build();
+  return BuildSolidComplex(levels, slabs, { 0, static_cast<int>(slabs.size()) });
+}
+
+SolidComplex BuildSolidComplex(const std::vector<LevelState>& levels,
+  const std::vector<SlabState>& slabs, const SlabRange& range)
+{
+  return Builder(levels, slabs, range).Build();
 }
 }

@@ -25,6 +25,13 @@
 
 namespace recon
 {
+/// Slabs of a stack from First up to, without, End, with the levels below, between and above them.
+struct SlabRange
+{
+  int First;
+  int End;
+};
+
 struct SolidComplex
 {
   struct Vertex
@@ -54,8 +61,12 @@ struct SolidComplex
     PartType Part;
   };
 
+  SlabRange Slabs{ 0, 0 };
   std::vector<Vertex> Vertices;
   std::vector<Cell> Cells;
+  /// Of every slab of the range its first cell, and where those of the last one end; after them come
+  /// cells beyond the first and the last level of the stack, and pyramids.
+  std::vector<int> FirstCell;
   std::vector<std::pair<int, int>> Links; ///< cells that solid which is not named holds together
 };
 
@@ -65,6 +76,13 @@ struct SolidComplex
  */
 SolidComplex BuildSolidComplex(
   const std::vector<LevelState>& levels, const std::vector<SlabState>& slabs);
+
+/**
+ * Of a part of the stack, which is solid up to the planes of its first and last level as if there were nothing
+ * beyond. Vertices and cells have the order that they have in the complex of the whole.
+ */
+SolidComplex BuildSolidComplex(const std::vector<LevelState>& levels,
+  const std::vector<SlabState>& slabs, const SlabRange& range);
 }
 
 #endif

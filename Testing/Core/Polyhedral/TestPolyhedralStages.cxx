@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The stages that users may look at are those that the surface is made of.
+#include "BoundaryOracle.h"
 #include "Polyhedral/PolyhedralStages.h"
 #include "Polyhedral/SolidBoundary.h"
+#include "Polyhedral/StagesMemory.h"
 #include "PolyhedralShapes.h"
 #include "SurfaceInvariants.h"
 
@@ -121,4 +123,96 @@ TEST(PolyhedralStages, ReportIsPartOfTheSurfaces)
   const auto surface = BuildSurface(contours, options);
   ASSERT_LE(stages.Report.size(), surface.Report.size());
   EXPECT_TRUE(std::equal(stages.Report.begin(), stages.Report.end(), surface.Report.begin()));
+}
+
+namespace
+{
+/// The same four levels again and again: a branching, and a region that ends.
+ContourSet PeriodicStack(int levels)
+{
+  const RingStack period{ { Blob(150, 0) }, { Blob(70, 1, { -1.6, 0 }), Blob(80, 2, { 1.6, 0 }) },
+    { Blob(150, 3) }, { Blob(120, 4), Blob(30, 5, { 4, 0 }) } };
+  RingStack stack;
+  for (int l = 0; l < levels; ++l)
+  {
+    stack.push_back(period[l % period.size()]);
+  }
+  return BuildStack(stack);
+}
+
+PolyhedralOptions UsersOptions()
+{
+  PolyhedralOptions options;
+  options.Mapping = PolyhedralOptions::Overlap;
+  options.EndCaps = PolyhedralOptions::Tapered;
+  return options;
+}
+}
+
+// However far the stack is taken on at a time, what a level becomes follows from those near it alone.
+TEST(PolyhedralStages, RepeatWhereLevelsRepeat)
+{
+  const int levels = 240; // more than twice what is taken on at a time
+  const int period = 4;
+  const int reach = 7; // KeptStages.h
+  const ContourSet contours = PeriodicStack(levels);
+  Monitor monitor;
+  const PolyhedralStages stages = BuildPolyhedralStages(contours, UsersOptions(), monitor);
+  EXPECT_EQ(stages.Forgotten, 0u);
+  for (int i = reach; i + 1 + period + reach < levels; ++i)
+  {
+    const LevelState& level = stages.Levels[i];
+    const LevelState& like = stages.Levels[i + period];
+    ASSERT_EQ(level.Triangulation.Points, like.Triangulation.Points) << "level " << i;
+    ASSERT_EQ(level.Triangulation.Triangles, like.Triangulation.Triangles) << "level " << i;
+    ASSERT_EQ(level.Covered.Covered, like.Covered.Covered) << "level " << i;
+    ASSERT_EQ(level.OutsideAbove, like.OutsideAbove) << "level " << i;
+    ASSERT_EQ(level.OutsideBelow, like.OutsideBelow) << "level " << i;
+    const auto& tetrahedra = stages.Slabs[i].Diagram.Tetrahedra;
+    const auto& same = stages.Slabs[i + period].Diagram.Tetrahedra;
+    ASSERT_EQ(tetrahedra.size(), same.size()) << "slab " << i;
+    for (std::size_t t = 0; t < same.size(); ++t)
+    {
+      ASSERT_EQ(tetrahedra[t].Corners, same[t].Corners) << "slab " << i;
+      ASSERT_EQ(tetrahedra[t].Reason, same[t].Reason) << "slab " << i;
+    }
+  }
+}
+
+TEST(PolyhedralStages, AreHandedOnAndForgottenAsTheyAreFinished)
+{
+  std::size_t longest = 0;
+  for (const int levels : { 240, 360 })
+  {
+    const ContourSet contours = PeriodicStack(levels);
+    Monitor monitor;
+    std::size_t finished = 0;
+    std::size_t most = 0;
+    const StagesSink sink = [&](const PolyhedralStages& stages, std::size_t first)
+    {
+      EXPECT_GE(first, finished);
+      EXPECT_EQ(stages.Forgotten, finished);
+      finished = first;
+      std::size_t bytes = 0;
+      for (std::size_t i = 0; i < stages.Levels.size(); ++i)
+      {
+        bytes += BytesOfLevel(stages, i) > sizeof(LevelState) + sizeof(SlabState)
+          ? BytesOfLevel(stages, i)
+          : 0;
+        const bool isThere = i >= stages.Forgotten && i < first;
+        EXPECT_TRUE(!isThere || !stages.Levels[i].Triangulation.Triangles.empty());
+      }
+      most = std::max(most, bytes);
+      return first;
+    };
+    const PolyhedralStages stages = BuildPolyhedralStages(
+      contours, UsersOptions(), monitor, 1, TetrahedraWanted::ForSurface, false, sink);
+    EXPECT_EQ(finished, static_cast<std::size_t>(levels));
+    EXPECT_GT(most, 0u);
+    if (longest > 0)
+    {
+      EXPECT_LE(most, longest + longest / 20) << "what is there at once grows with the stack";
+    }
+    longest = most;
+  }
 }
