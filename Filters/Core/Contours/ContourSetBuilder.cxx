@@ -31,6 +31,9 @@ constexpr double EndShare = 1e-5;
 // Points of a tilted plane that are farther off it than this part of the distance to the next level
 // are put on it; those of planes across a coordinate axis in any case.
 constexpr double LooseShare = 1e-3;
+// Outlines of one region cross so often, all slices together, and once more a point. Each crossing costs a
+// millisecond until the surface is there, and scribbles cross in the square of their points.
+constexpr std::size_t FewCrossings = 5000;
 
 /// The box around all finite points that chains use.
 Box3 BoundsOf(const LoopSoup& soup)
@@ -269,6 +272,7 @@ private:
     try
     {
       result = ApplyHoleRule(rings.Points, rings.Loops, rule, this->Options.SnapTolerance);
+      this->CountCrossings(result);
     }
     catch (const Error& error)
     {
@@ -299,6 +303,23 @@ private:
     found.Swallowed = result.Swallowed.size();
     this->LeaveOutThinRings(rings, result);
     this->AddContours(plane, rings, result, rule, found);
+  }
+
+  /// @throws Error where those of all slices so far come to more than outlines have
+  void CountCrossings(const EvenOddResult& result)
+  {
+    std::size_t crossings = this->Crossings;
+    for (const EvenOddCluster& cluster : result.Clusters)
+    {
+      crossings += cluster.Crossings;
+    }
+    const std::size_t most = FewCrossings + this->Soup.Points.size();
+    if (crossings > most)
+    {
+      throw Error("Contours cross in more than " + std::to_string(most) +
+        " places, all slices together, which is no outline of anything.");
+    }
+    this->Crossings = crossings;
   }
 
   void LeaveOutTwins(PlanarRings& rings, bool tracedAgain)
@@ -554,7 +575,8 @@ private:
   bool HasOpenLinesOnly = false;
   std::set<int> ExclusiveOrSources;
   std::vector<Ring> Rings;
-  double Largest = 0; ///< coordinate of all planes, so that they have one grid
+  std::size_t Crossings = 0; ///< of the slices so far
+  double Largest = 0;        ///< coordinate of all planes, so that they have one grid
   ContourSet Set;
 };
 }

@@ -422,25 +422,43 @@ private:
     std::sort(triangles.begin(), triangles.end());
     triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
     std::vector<int> wrong;
-    const auto blame = [&](int triangle)
+    std::vector<char> isWrong(this->Moves.size(), 0);
+    // Moves of a triangle that are made and not known to be wrong yet.
+    const auto visitUnblamed = [&](int triangle, const auto& visit)
     {
       for (int p : this->Mesh.Triangles[triangle])
       {
         const int m = this->MoveOf[p];
-        if (m >= 0 && this->Moves[m].IsMade())
+        if (m >= 0 && !isWrong[m] && this->Moves[m].IsMade())
         {
-          wrong.push_back(m);
+          visit(m);
         }
       }
     };
+    const auto isUnblamed = [&](int triangle)
+    {
+      bool any = false;
+      visitUnblamed(triangle, [&any](int) { any = true; });
+      return any;
+    };
+    const auto blame = [&](int m)
+    {
+      isWrong[m] = 1;
+      wrong.push_back(m);
+    };
+    // Of two triangles that are both looked at, the first asks.
+    std::vector<char> hasAsked(this->Mesh.Triangles.size(), 0);
     for (int t : triangles)
     {
+      hasAsked[t] = 1;
       const Box3 box = BoxOf(this->Mesh, t);
       const std::vector<int>& neighbours = this->NeighboursOf(t, tree);
       this->PairsAsked += neighbours.size();
+      bool mayBeBlamed = isUnblamed(t);
       for (const int other : neighbours)
       {
-        if (!BoxOf(this->Mesh, other).Meets(box))
+        if (hasAsked[other] || !(mayBeBlamed || isUnblamed(other)) ||
+          !BoxOf(this->Mesh, other).Meets(box))
         {
           continue;
         }
@@ -448,8 +466,9 @@ private:
         if (relation != PairRelation::Clean &&
           (relation != PairRelation::Touching || !this->ShareAPlace(t, other)))
         {
-          blame(t);
-          blame(other);
+          visitUnblamed(t, blame);
+          visitUnblamed(other, blame);
+          mayBeBlamed = false;
         }
       }
     }

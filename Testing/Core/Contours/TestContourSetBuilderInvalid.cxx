@@ -3,7 +3,9 @@
 #include "ContourInvariants.h"
 #include "SoupMaker.h"
 
+#include <algorithm>
 #include <limits>
+#include <random>
 
 using namespace recon;
 using namespace recon::testing;
@@ -19,6 +21,18 @@ SoupMaker GoodSquare()
   SoupMaker maker;
   maker.Loop(Rectangle(0, 0, 1, 1), 3);
   return maker;
+}
+
+std::vector<Point2> Scribble(int count, unsigned seed)
+{
+  std::mt19937 random(seed);
+  std::vector<Point2> scribble;
+  for (int i = 0; i < count; ++i)
+  {
+    scribble.push_back({ 1e-3 * static_cast<double>(random() % 100000),
+      1e-3 * static_cast<double>(random() % 100000) });
+  }
+  return scribble;
 }
 
 void ExpectOnlyTheSquare(const SoupMaker& maker, const std::string& sentence)
@@ -182,16 +196,27 @@ TEST(ContourSetBuilderInvalid, ToleranceThatIsNone)
 
 TEST(ContourSetBuilderInvalid, AScribbleIsOneSentence)
 {
-  std::mt19937 random(1);
-  std::vector<Point2> scribble;
-  for (int i = 0; i < 2500; ++i)
-  {
-    scribble.push_back({ 1e-3 * static_cast<double>(random() % 100000),
-      1e-3 * static_cast<double>(random() % 100000) });
-  }
-  const std::string said = ErrorOf(SoupMaker().Loop(scribble));
+  const std::string said = ErrorOf(SoupMaker().Loop(Scribble(2500, 1)));
   EXPECT_NE(said.find("cannot be resolved: Contours cross"), std::string::npos) << said;
   EXPECT_EQ(said.find(".."), std::string::npos) << said;
+}
+
+TEST(ContourSetBuilderInvalid, ScribblesOnManySlicesHaveABoundTogether)
+{
+  // Each by itself crosses in some thousand places, which is allowed.
+  SoupMaker maker;
+  for (unsigned level = 0; level < 12; ++level)
+  {
+    maker.Loop(Scribble(100, level), level);
+  }
+  Monitor monitor;
+  const ContourSet contours = BuildContourSet(maker.Soup, ContourSetOptions(), monitor);
+  EXPECT_GE(contours.Levels.size(), 4u);
+  EXPECT_LT(contours.Levels.size(), 9u);
+  const bool isTold = std::any_of(contours.Report.begin(), contours.Report.end(),
+    [](const std::string& line)
+    { return line.find("more than 6200 places, all slices together") != std::string::npos; });
+  EXPECT_TRUE(isTold);
 }
 
 TEST(ContourSetBuilderInvalid, TheUserMayStop)
