@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "CurveNetwork/PlaneByPlane.h"
 
+#include "Base/FarthestPoint.h"
+
 #include <utility>
 
 namespace recon
@@ -29,6 +31,10 @@ std::vector<Point3> PlaneByPlane::ReadVertices(int count)
     for (double& coordinate : vertex)
     {
       coordinate = this->Scanner.NextNumber("x, y and z of a vertex");
+    }
+    if (Norm(vertex) > FarthestPoint)
+    {
+      this->Scanner.Fail("a vertex is farther from the origin than 1e60.");
     }
   }
   return vertices;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Contours/ContourChaining.h"
 
+#include "Base/FarthestPoint.h"
 #include "Base/Median.h"
 
 #include <algorithm>
@@ -16,8 +17,6 @@ namespace recon
 {
 namespace
 {
-// Beyond this, products of coordinates in exact predicates could overflow.
-constexpr double LargestCoordinate = 1e60;
 // A line of fewer points encloses nothing that its ends could tell.
 constexpr std::size_t FewestOfNarrowGap = 4;
 
@@ -384,7 +383,7 @@ bool Usable(const LoopSoup& soup, const LoopSoup::Chain& chain, ContourNotes& no
     {
       bad = "has a coordinate that is not a finite number; left out";
     }
-    else if (Norm(x) > LargestCoordinate)
+    else if (Norm(x) > FarthestPoint)
     {
       bad = "has a coordinate beyond 1e60; left out";
     }

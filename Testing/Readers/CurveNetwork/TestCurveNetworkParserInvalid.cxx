@@ -83,6 +83,8 @@ TEST_F(CurveNetworkParserInvalid, ContourNamesLineAndWhatWasExpected)
 {
   this->Expect(
     With(Contour, "1 1 0\n", "1 inf 0\n"), "line 6: expected x, y and z of a vertex, found 'inf'");
+  this->Expect(With(Contour, "1 1 0\n", "1 -1e170 0\n"),
+    "line 6: a vertex is farther from the origin than 1e60.");
   this->Expect(With(Contour, "1 2 1 0", "1 3 1 0"), "line 8: vertex index 3 is out of range");
   this->Expect(
     With(Contour, "1 2 1 0", "1 2 1 -1"), "line 8: expected a material of 0 (outside) or more");
