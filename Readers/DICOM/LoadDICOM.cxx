@@ -25,6 +25,15 @@ std::uintptr_t PlaceOnStack()
 #endif
 }
 
+/// A value that is longer than all that can be there: it is left where it is, and never had.
+class NoValue : public DcmInputStreamFactory
+{
+public:
+  DcmInputStream* create() const override { return nullptr; }
+  DcmInputStreamFactory* clone() const override { return new NoValue; }
+  DcmInputStreamFactoryType ident() const override { return DFT_DcmInputFileStreamFactory; }
+};
+
 /// Comes to an end where a limit is passed: each level of recursion asks its stream before the next.
 class LimitedFile : public DcmInputFileStream
 {
@@ -43,13 +52,23 @@ public:
   }
   offile_off_t read(void* buffer, offile_off_t length) override
   {
-    const offile_off_t left = this->End + 1 - this->tell();
-    return this->IsWithinLimits() ? DcmInputFileStream::read(buffer, std::min(length, left)) : 0;
+    return this->IsWithinLimits()
+      ? DcmInputFileStream::read(buffer, std::min(length, this->GetLeft()))
+      : 0;
   }
   offile_off_t skip(offile_off_t length) override
   {
-    return this->IsWithinLimits() ? DcmInputFileStream::skip(length) : 0;
+    if (!this->IsWithinLimits())
+    {
+      return 0;
+    }
+    const offile_off_t skipped = DcmInputFileStream::skip(std::min(length, this->GetLeft()));
+    this->IsWithinLimits(); // nobody may ask again
+    return skipped;
   }
+  /// DCMTK asks for one where a value is longer than GetLongestValue. Without, as of a deflated data set, it would
+  /// take memory of that length, which is only announced.
+  DcmInputStreamFactory* newFactory() const override { return new NoValue; }
   OFBool eos() override { return !this->IsWithinLimits() || DcmInputFileStream::eos(); }
 
   /// No value that is there is longer.
@@ -65,6 +84,8 @@ public:
 private:
   /// What is smaller than a page unpacks to nothing large.
   static constexpr std::size_t SmallestSize = 4096;
+
+  offile_off_t GetLeft() const { return this->End + 1 - this->tell(); }
 
   bool IsWithinLimits()
   {

@@ -7,9 +7,29 @@
 #include "DICOM/ReadReferenceSlices.h"
 #include "DICOM/StructureSetFile.h"
 
+#include <algorithm>
 #include <cstring>
+#include <new>
 
 using namespace readertesting;
+
+namespace
+{
+std::size_t LargestRequest = 0; ///< of memory by DCMTK for values, which asks this way for them
+}
+
+void* operator new[](std::size_t size, const std::nothrow_t&) noexcept
+{
+  LargestRequest = std::max(LargestRequest, size);
+  try
+  {
+    return ::operator new[](size);
+  }
+  catch (const std::bad_alloc&)
+  {
+    return nullptr;
+  }
+}
 
 namespace
 {
@@ -107,6 +127,24 @@ TEST_F(LoadDICOM, DeflatedOnesUnpackWithinABound)
     ASSERT_LT(std::filesystem::file_size(name), 50000u);
     ExpectSentence(Load(name), name, "unpacks to more than 64 times its size");
   }
+}
+
+TEST_F(LoadDICOM, NoMemoryIsTakenForAValueThatIsOnlyAnnounced)
+{
+  // A deflated data set, in a block that is stored as it is, whose value is announced to be 4 GB long and ends at once.
+  const std::string element =
+    std::string("\x42\0\x11\0OB\0\0", 8) + Little(0xf0000000) + "and no more.";
+  const auto size = static_cast<std::uint32_t>(element.size());
+  const std::string deflated =
+    '\1' + Little(size).substr(0, 2) + Little(~size).substr(0, 2) + element;
+  const std::string uid = std::string(UID_DeflatedExplicitVRLittleEndianTransferSyntax);
+  const std::string name = this->Write("announced",
+    std::string(128, '\0') + "DICM" + std::string("\x02\0\x10\0UI", 6) +
+      static_cast<char>(uid.size()) + '\0' + uid + deflated);
+  LargestRequest = 0;
+  ExpectSentence(Load(name), name, "damaged or truncated");
+  EXPECT_GT(LargestRequest, 0u);
+  EXPECT_LT(LargestRequest, 1000000u);
 }
 
 TEST_F(LoadDICOM, WhatIsWrittenOverTheFileLaterChangesNothing)
