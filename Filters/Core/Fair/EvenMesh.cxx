@@ -57,8 +57,8 @@ public:
 private:
   void Once(bool lookEverywhere, Monitor& silent, EvenMesh& even) const
   {
-    EvenPasses passes(
-      this->Given, this->Parts, this->Surface, this->Keep, this->EdgeLength, this->Threads, silent);
+    EvenPasses passes(this->Given, this->Parts, &this->Surface, this->Keep, this->EdgeLength,
+      this->Threads, silent);
     // Nothing is known of what is near before edges are short, so the last attempt looks at once.
     std::fill(passes.Thin.begin(), passes.Thin.end(), lookEverywhere ? 1 : 0);
     passes.CollapseShort();
@@ -131,8 +131,7 @@ EvenMesh MakeEvenMesh(const TriangleMesh& given, const std::vector<char>& parts,
 TriangleMesh MendMesh(const TriangleMesh& given, const std::vector<char>& parts,
   const PlacesToKeep& keep, double edgeLength, int threads, Monitor& monitor)
 {
-  const SurfacePlaces surface(given);
-  EvenPasses passes(given, parts, surface, keep, edgeLength, threads, monitor);
+  EvenPasses passes(given, parts, nullptr, keep, edgeLength, threads, monitor);
   // Every change is looked at, so nothing crosses that did not before.
   std::fill(passes.Thin.begin(), passes.Thin.end(), 1);
   passes.Flip();

@@ -47,7 +47,7 @@ constexpr std::size_t PointsABlock = 1024;
 }
 
 EvenPasses::EvenPasses(const TriangleMesh& mesh, const std::vector<char>& parts,
-  const SurfacePlaces& surface, const PlacesToKeep& keep, double edgeLength, int threads,
+  const SurfacePlaces* surface, const PlacesToKeep& keep, double edgeLength, int threads,
   Monitor& monitor)
   : Mesh(mesh, parts),
     Normals(PointNormals(mesh)),
@@ -421,15 +421,15 @@ void EvenPasses::Spread()
     {
       for (std::size_t v = from; v < to; ++v)
       {
-        const SurfacePlace place = found[v] ? this->Surface.Nearest(middles[v], this->Normals[v],
+        const SurfacePlace place = found[v] ? this->Surface->Nearest(middles[v], this->Normals[v],
                                                 Reach * this->EdgeLength, this->Home[v])
                                             : SurfacePlace();
         found[v] = place.Triangle >= 0;
         if (found[v])
         {
           this->Home[v] = place.Triangle;
-          places[v] = place.On(this->Surface.Mesh);
-          normals[v] = this->Surface.NormalAt(place);
+          places[v] = place.On(this->Surface->Mesh);
+          normals[v] = this->Surface->NormalAt(place);
         }
       }
     },

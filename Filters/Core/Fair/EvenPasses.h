@@ -32,9 +32,9 @@ constexpr double FairLeastAngle = 5;
 class EvenPasses
 {
 public:
-  /// @param surface what points are put back onto; outlives this
+  /// @param surface what points are put back onto; outlives this; null where none are spread
   /// @param parts see LinkedMesh @param edgeLength what edges should have
-  EvenPasses(const TriangleMesh& mesh, const std::vector<char>& parts, const SurfacePlaces& surface,
+  EvenPasses(const TriangleMesh& mesh, const std::vector<char>& parts, const SurfacePlaces* surface,
     const PlacesToKeep& keep, double edgeLength, int threads, Monitor& monitor);
 
   void SplitLong();
@@ -74,7 +74,7 @@ private:
   CrossingWatch Watch;
   KeptPlaces Kept;
   std::vector<int> Home; ///< a point: triangle of the surface that it was last put on, -1 before
-  const SurfacePlaces& Surface;
+  const SurfacePlaces* Surface;
   double EdgeLength;
   int Threads;
   Monitor& Observer;

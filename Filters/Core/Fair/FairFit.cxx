@@ -162,10 +162,11 @@ FairSolution SolveWithin(const TriangleMesh& mesh, std::vector<Pull>& pulls, dou
   return { std::move(moved.Points), sum / static_cast<double>(tensions.size()) };
 }
 
-TriangleMesh PullWithin(const TriangleMesh& mesh, const std::vector<ContourSample>& samples,
+PulledMesh PullWithin(const TriangleMesh& mesh, const std::vector<ContourSample>& samples,
   const FairFitOptions& options, Monitor& monitor)
 {
-  TriangleMesh pulled = mesh;
+  PulledMesh result{ mesh, false };
+  TriangleMesh& pulled = result.Mesh;
   for (int round = 0; round < Rounds + AnyAngleRounds; ++round)
   {
     const SurfacePlaces surface(pulled);
@@ -193,11 +194,14 @@ TriangleMesh PullWithin(const TriangleMesh& mesh, const std::vector<ContourSampl
     }
     if (taken == 0)
     {
+      result.IsWithin = std::none_of(places.begin(), places.end(),
+        [&](const SurfacePlace& place)
+        { return samples[&place - places.data()].IsVertex && place.Triangle < 0; });
       break;
     }
     const double leastAngle = round < Rounds ? FairLeastAngle * Pi / 180 : 0;
     pulled = MoveUncrossed(pulled, moved.Points, leastAngle, {}, options.Threads, monitor).Mesh;
   }
-  return pulled;
+  return result;
 }
 }

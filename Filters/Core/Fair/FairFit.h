@@ -60,12 +60,18 @@ std::vector<Pull> PullsOf(const SurfacePlaces& surface, const std::vector<Contou
 FairSolution SolveWithin(const TriangleMesh& mesh, std::vector<Pull>& pulls, double tension,
   const FairFitOptions& options, Monitor& monitor);
 
+struct PulledMesh
+{
+  TriangleMesh Mesh;
+  bool IsWithin = false; ///< every vertex is known to be within the tolerance
+};
+
 /**
  * Moves the corners of the triangles that vertices among the samples are farther away from than the
  * tolerance by as little as takes them there, in turn, a few times (Kaczmarz). Nothing crosses by it,
  * and no angle becomes small.
  */
-TriangleMesh PullWithin(const TriangleMesh& mesh, const std::vector<ContourSample>& samples,
+PulledMesh PullWithin(const TriangleMesh& mesh, const std::vector<ContourSample>& samples,
   const FairFitOptions& options, Monitor& monitor);
 }
 

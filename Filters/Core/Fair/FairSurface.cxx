@@ -48,8 +48,9 @@ constexpr double StaircaseWeight = 30;
 /// Of a staircase's step, how far the surface may leave it.
 constexpr double StaircaseTolerance = 0.5;
 /// Of the tolerance, within which the even mesh passes the contours' vertices, so that what is held back
-/// can come to lie there; and all but what may be rounding.
+/// can come to lie there; to which they are pulled; and all but what may be rounding.
 constexpr double EvenPart = 0.9;
+constexpr double FitPart = 0.99;
 constexpr double KeptPart = 0.999;
 /// Of the largest coordinate: tolerances below are none.
 constexpr double Rounding = 1e-12;
@@ -175,7 +176,7 @@ private:
     this->Result.Tolerance = this->Options.Tolerance >= 0 ? this->Options.Tolerance
       : this->Step > 0                                    ? ofStaircase
                                                           : std::max(ofDrawn, ofRaster);
-    this->Fit.Tolerance = this->Result.Tolerance;
+    this->Fit.Tolerance = FitPart * this->Result.Tolerance;
     this->Fit.EdgeLength = this->Result.EdgeLength;
     this->Fit.Weight = isUneven && this->Result.Tolerance > 0 ? StaircaseWeight : DrawnWeight;
     this->Fit.MostWeight = DrawnWeight;
@@ -311,9 +312,10 @@ private:
   void Finish()
   {
     SubMonitor part(this->Observer, 0.85, 1);
-    this->Result.Mesh = PullWithin(this->Result.Mesh, this->Samples, this->Fit, part);
+    PulledMesh pulled = PullWithin(this->Result.Mesh, this->Samples, this->Fit, part);
+    this->Result.Mesh = std::move(pulled.Mesh);
     const PlacesToKeep keep = this->VerticesWithin(KeptPart);
-    if (this->Measure().Beyond > 0)
+    if (!pulled.IsWithin)
     {
       UncrossedMove kept = MoveUncrossed(
         this->Even.Mesh, this->Result.Mesh.Points, 0, keep, this->Options.Threads, this->Silent);

@@ -55,7 +55,7 @@ struct FairSurface
 };
 
 /**
- * The polyhedral surface with even triangles, moved to where it bends least while every contour
+ * The polyhedral surface with even triangles, moved to where it bends evenly while every contour
  * vertex pulls at it (a thin plate under tension), and held back where it would cross itself.
  *
  * Guaranteed: the topology of the polyhedral surface, closed, manifold, outward, no triangles cross

@@ -415,11 +415,11 @@ struct FairSystem::Implementation
       throw Error("The equations of the fair surface could not be solved; choose a larger Edge "
                   "Length or Tolerance.");
     }
-    Eigen::MatrixXd solved = this->Factor->Solve(right);
+    Eigen::MatrixXd solved = this->Factor->Solve(right, this->Threads, this->Observer);
     for (int evening = 0; evening < evenings; ++evening)
     {
       this->Observer.Update(0, "fairing");
-      solved = this->Factor->Solve(right + this->EvenBend(solved));
+      solved = this->Factor->Solve(right + this->EvenBend(solved), this->Threads, this->Observer);
     }
     std::vector<Point3> places(this->Mesh.Points.size());
     for (std::size_t p = 0; p < places.size(); ++p)

@@ -2,11 +2,18 @@
 #include "Fair/FrontalCholesky.h"
 
 #include "Base/Parallel.h"
+#include "Fair/DenseFront.h"
 
 #include <algorithm>
 
 namespace recon
 {
+namespace
+{
+/// Of a solution, what a thread takes at once.
+constexpr std::size_t NodesABlock = 8;
+}
+
 FrontalCholesky::FrontalCholesky(const std::vector<DissectionNode>& nodes, const Matrix& pattern)
   : Nodes(nodes),
     Fronts(nodes.size())
@@ -120,16 +127,12 @@ bool FrontalCholesky::FactoriseFront(std::size_t node, const Matrix& matrix)
   {
     return true;
   }
-  auto own = front.Panel.topRows(width);
-  Eigen::Ref<Eigen::MatrixXd> corner = own;
-  const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> factor(corner);
-  if (below > 0)
+  if (!FactorisePanel(front.Panel.data(), width + below, width))
   {
-    auto rest = front.Panel.bottomRows(below);
-    own.triangularView<Eigen::Lower>().transpose().solveInPlace<Eigen::OnTheRight>(rest);
-    front.Update.selfadjointView<Eigen::Lower>().rankUpdate(rest, -1);
+    return false;
   }
-  return factor.info() == Eigen::Success;
+  SubtractOwnProduct(front.Update.data(), below, front.Panel.data() + width, width + below, width);
+  return true;
 }
 
 bool FrontalCholesky::Factorise(const Matrix& matrix, int threads, Monitor& monitor)
@@ -146,33 +149,71 @@ bool FrontalCholesky::Factorise(const Matrix& matrix, int threads, Monitor& moni
   return std::all_of(good.begin(), good.end(), [](char g) { return g != 0; });
 }
 
-Eigen::MatrixXd FrontalCholesky::Solve(const Eigen::MatrixXd& right) const
+/// From the parts' own rows: what they leave for those of this node, and of later ones.
+void FrontalCholesky::SolveDown(std::size_t node, Eigen::MatrixXd& solved)
 {
-  Eigen::MatrixXd solved = right;
-  for (std::size_t node = 0; node < this->Nodes.size(); ++node)
+  Front& front = this->Fronts[node];
+  const int width = this->Width(node);
+  front.Carried.setZero(static_cast<Eigen::Index>(front.Rows.size()), solved.cols());
+  auto own = solved.middleRows(this->Nodes[node].From, width);
+  for (const int part : this->Nodes[node].Parts)
   {
-    const Front& front = this->Fronts[node];
-    const int width = this->Width(node);
-    auto own = solved.middleRows(this->Nodes[node].From, width);
-    front.Panel.topRows(width).triangularView<Eigen::Lower>().solveInPlace(own);
-    const Eigen::MatrixXd change = front.Panel.bottomRows(front.Rows.size()) * own;
-    for (std::size_t i = 0; i < front.Rows.size(); ++i)
+    for (std::size_t i = 0; part >= 0 && i < this->Fronts[part].Rows.size(); ++i)
     {
-      solved.row(front.Rows[i]) -= change.row(static_cast<Eigen::Index>(i));
+      const int place = this->PlaceOf(node, this->Fronts[part].Rows[i]);
+      const auto carried = this->Fronts[part].Carried.row(static_cast<Eigen::Index>(i));
+      if (place < width)
+      {
+        own.row(place) += carried;
+      }
+      else
+      {
+        front.Carried.row(place - width) += carried;
+      }
     }
   }
-  for (std::size_t node = this->Nodes.size(); node-- > 0;)
+  front.Panel.topRows(width).triangularView<Eigen::Lower>().solveInPlace(own);
+  front.Carried.noalias() -= front.Panel.bottomRows(front.Rows.size()) * own;
+}
+
+void FrontalCholesky::SolveUp(std::size_t node, Eigen::MatrixXd& solved) const
+{
+  const Front& front = this->Fronts[node];
+  const int width = this->Width(node);
+  Eigen::MatrixXd known(front.Rows.size(), solved.cols());
+  for (std::size_t i = 0; i < front.Rows.size(); ++i)
   {
-    const Front& front = this->Fronts[node];
-    const int width = this->Width(node);
-    Eigen::MatrixXd known(front.Rows.size(), solved.cols());
-    for (std::size_t i = 0; i < front.Rows.size(); ++i)
-    {
-      known.row(static_cast<Eigen::Index>(i)) = solved.row(front.Rows[i]);
-    }
-    auto own = solved.middleRows(this->Nodes[node].From, width);
-    own -= front.Panel.bottomRows(front.Rows.size()).transpose() * known;
-    front.Panel.topRows(width).triangularView<Eigen::Lower>().transpose().solveInPlace(own);
+    known.row(static_cast<Eigen::Index>(i)) = solved.row(front.Rows[i]);
+  }
+  auto own = solved.middleRows(this->Nodes[node].From, width);
+  own -= front.Panel.bottomRows(front.Rows.size()).transpose() * known;
+  front.Panel.topRows(width).triangularView<Eigen::Lower>().transpose().solveInPlace(own);
+}
+
+Eigen::MatrixXd FrontalCholesky::Solve(const Eigen::MatrixXd& right, int threads, Monitor& monitor)
+{
+  Eigen::MatrixXd solved = right;
+  const auto forNodes = [&](std::size_t depth, const auto& work)
+  {
+    const std::vector<int>& nodes = this->NodesOfDepth[depth];
+    ParallelForBlocks(
+      nodes.size(), NodesABlock, threads,
+      [&](std::size_t from, std::size_t to)
+      {
+        for (std::size_t i = from; i < to; ++i)
+        {
+          work(nodes[i]);
+        }
+      },
+      monitor, { 0, 0, "fairing" }, 2);
+  };
+  for (std::size_t depth = this->NodesOfDepth.size(); depth-- > 0;)
+  {
+    forNodes(depth, [&](std::size_t node) { this->SolveDown(node, solved); });
+  }
+  for (std::size_t depth = 0; depth < this->NodesOfDepth.size(); ++depth)
+  {
+    forNodes(depth, [&](std::size_t node) { this->SolveUp(node, solved); });
   }
   return solved;
 }

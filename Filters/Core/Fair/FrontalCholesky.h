@@ -37,14 +37,16 @@ public:
   /// @throws Aborted
   bool Factorise(const Matrix& matrix, int threads, Monitor& monitor);
 
-  Eigen::MatrixXd Solve(const Eigen::MatrixXd& right) const;
+  /// Of the matrix factorised last. @throws Aborted
+  Eigen::MatrixXd Solve(const Eigen::MatrixXd& right, int threads, Monitor& monitor);
 
 private:
   struct Front
   {
-    std::vector<int> Rows;  ///< below its own columns, in order
-    Eigen::MatrixXd Panel;  ///< its own columns of the factor: its own rows, then these
-    Eigen::MatrixXd Update; ///< what Rows have to be changed by; empty once it is added
+    std::vector<int> Rows;   ///< below its own columns, in order
+    Eigen::MatrixXd Panel;   ///< its own columns of the factor: its own rows, then these
+    Eigen::MatrixXd Update;  ///< what Rows have to be changed by; empty once it is added
+    Eigen::MatrixXd Carried; ///< the same of right sides, in a solution
   };
 
   void FindRows(const Matrix& pattern);
@@ -53,6 +55,8 @@ private:
   bool FactoriseFront(std::size_t node, const Matrix& matrix);
   void TakeEntries(std::size_t node, const Matrix& matrix);
   void TakeUpdate(std::size_t node, Front& part);
+  void SolveDown(std::size_t node, Eigen::MatrixXd& solved);
+  void SolveUp(std::size_t node, Eigen::MatrixXd& solved) const;
 
   std::vector<DissectionNode> Nodes;
   std::vector<Front> Fronts; ///< a node

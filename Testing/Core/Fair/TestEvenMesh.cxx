@@ -136,7 +136,7 @@ TEST(EvenPasses, SplittingKeepsTheShape)
   const TriangleMesh cube = MakeCube();
   const SurfacePlaces surface(cube);
   Monitor monitor;
-  EvenPasses passes(cube, {}, surface, {}, 0.25, 1, monitor);
+  EvenPasses passes(cube, {}, &surface, {}, 0.25, 1, monitor);
   passes.SplitLong();
   const TriangleMesh made = passes.Mesh.Compact();
   EXPECT_GT(made.Triangles.size(), 200u);
@@ -218,7 +218,7 @@ TEST(EvenPasses, GoThroughNoSmallPiece)
     }
     Monitor monitor;
     const SurfacePlaces surface(sheet);
-    EvenPasses passes(sheet, {}, surface, {}, 1, 1, monitor);
+    EvenPasses passes(sheet, {}, &surface, {}, 1, 1, monitor);
     std::fill(passes.Thin.begin(), passes.Thin.end(), 1);
     passes.Flip();
     return passes.Mesh.Find(from, to).first >= 0;

@@ -60,7 +60,9 @@ TEST(FairFit, PullsWithinTheTolerance)
   const TriangleMesh sphere = MakeSphere(24, 12);
   const std::vector<ContourSample> samples = Around(sphere, 1.02);
   Monitor monitor;
-  const TriangleMesh pulled = PullWithin(sphere, samples, Options(0.005), monitor);
+  const PulledMesh made = PullWithin(sphere, samples, Options(0.005), monitor);
+  EXPECT_TRUE(made.IsWithin);
+  const TriangleMesh& pulled = made.Mesh;
   EXPECT_EQ(MeasureMisfit(pulled, samples, 0.005, 1, monitor).Beyond, 0u);
 }
 
