@@ -21,27 +21,33 @@ constexpr int TileColumns = 4;
 /// Rows of tiles that stay in the cache while all columns go over them.
 constexpr int RowsAtOnce = 64;
 /// Columns that are factorised one by one before the rest of the panel hears of them.
-constexpr int ColumnsAtOnce = 32;
+constexpr int ColumnsAtOnce = 16;
 
 /// Rows in groups of TileRows, of each group column after column; the last group is filled with zeros.
 void Pack(const double* rows, int count, int stride, int width, std::vector<double>& packed)
 {
   const int groups = (count + TileRows - 1) / TileRows;
-  packed.assign(static_cast<std::size_t>(groups) * TileRows * width, 0.0);
-  for (int column = 0; column < width; ++column)
+  packed.resize(static_cast<std::size_t>(groups) * TileRows * width);
+  double* to = packed.data();
+  for (int group = 0; group < groups; ++group)
   {
-    const double* from = rows + static_cast<std::size_t>(column) * stride;
-    for (int i = 0; i < count; ++i)
+    const double* from = rows + static_cast<std::ptrdiff_t>(group) * TileRows;
+    const int own = std::min(TileRows, count - group * TileRows);
+    for (int column = 0; column < width; ++column, from += stride, to += TileRows)
     {
-      const std::size_t group = static_cast<std::size_t>(i / TileRows) * width + column;
-      packed[group * TileRows + i % TileRows] = from[i];
+      if (own == TileRows)
+      {
+        std::copy_n(from, TileRows, to);
+        continue;
+      }
+      std::fill(std::copy_n(from, own, to), to + TileRows, 0.0);
     }
   }
 }
 
-/// Of TileRows rows with TileColumns others, which begin within a group.
-RECON_CLONES_WIDEST void MultiplyTile(
-  const double* rows, const double* others, int width, double* product)
+/// Of a tile, less the product of TileRows rows with TileColumns others, which begin within a group.
+RECON_CLONES_WIDEST void SubtractTile(
+  double* tile, std::size_t stride, const double* rows, const double* others, int width)
 {
   double sums[TileColumns][TileRows] = {};
   for (int k = 0; k < width; ++k)
@@ -60,8 +66,9 @@ RECON_CLONES_WIDEST void MultiplyTile(
   {
     for (int i = 0; i < TileRows; ++i)
     {
-      product[j * TileRows + i] = sums[j][i];
+      tile[i] -= sums[j][i];
     }
+    tile += stride;
   }
 }
 
@@ -69,7 +76,6 @@ RECON_CLONES_WIDEST void MultiplyTile(
 void SubtractPacked(double* square, std::size_t stride, int count, int columns,
   const std::vector<double>& packed, int width)
 {
-  double product[TileColumns * TileRows];
   const auto groupOf = [&](int row)
   { return packed.data() + static_cast<std::size_t>(row / TileRows) * TileRows * width; };
   for (int top = 0; top < count; top += RowsAtOnce)
@@ -78,16 +84,22 @@ void SubtractPacked(double* square, std::size_t stride, int count, int columns,
     for (int left = 0; left < std::min(columns, bottom); left += TileColumns)
     {
       const double* others = groupOf(left) + left % TileRows;
-      const int first = std::max(top, left / TileRows * TileRows);
-      for (int row = first; row < bottom; row += TileRows)
+      const int right = std::min(columns, left + TileColumns);
+      for (int row = std::max(top, left / TileRows * TileRows); row < bottom; row += TileRows)
       {
-        MultiplyTile(groupOf(row), others, width, product);
-        for (int j = left; j < std::min(columns, left + TileColumns); ++j)
+        if (row >= right && row + TileRows <= bottom && right == left + TileColumns)
         {
-          double* column = square + j * stride;
+          SubtractTile(square + left * stride + row, stride, groupOf(row), others, width);
+          continue;
+        }
+        // At the diagonal and at the ends only a part of it is there.
+        double tile[TileColumns * TileRows] = {};
+        SubtractTile(tile, TileRows, groupOf(row), others, width);
+        for (int j = left; j < right; ++j)
+        {
           for (int i = std::max(row, j); i < std::min(bottom, row + TileRows); ++i)
           {
-            column[i] -= product[(j - left) * TileRows + i - row];
+            square[j * stride + i] += tile[(j - left) * TileRows + i - row];
           }
         }
       }
@@ -95,11 +107,19 @@ void SubtractPacked(double* square, std::size_t stride, int count, int columns,
   }
 }
 
-RECON_CLONES_WIDEST void SubtractColumns(double* a, const double* b, double factor, int count)
+/// Of `count` rows of one column, less the columns of the `width` before by their factors, which are
+/// `stride` apart, as the columns are.
+RECON_CLONES_WIDEST void SubtractColumns(
+  double* a, const double* columns, const double* factors, std::size_t stride, int width, int count)
 {
-  for (int i = 0; i < count; ++i)
+  for (int k = 0; k < width; ++k)
   {
-    a[i] -= factor * b[i];
+    const double factor = factors[k * stride];
+    const double* b = columns + k * stride;
+    for (int i = 0; i < count; ++i)
+    {
+      a[i] -= factor * b[i];
+    }
   }
 }
 
@@ -110,10 +130,7 @@ bool FactoriseColumns(double* panel, int rows, int from, int to)
   for (int k = from; k < to; ++k)
   {
     double* column = columnOf(k);
-    for (int done = from; done < k; ++done)
-    {
-      SubtractColumns(column + k, columnOf(done) + k, columnOf(done)[k], rows - k);
-    }
+    SubtractColumns(column + k, columnOf(from) + k, columnOf(from) + k, rows, k - from, rows - k);
     if (!(column[k] > 0))
     {
       return false;

@@ -4,7 +4,7 @@
  * @brief The dense work of a front of a sparse Cholesky factorisation (FrontalCholesky.h).
  *
  * Matrices are stored by columns, of which the lower triangle is used. Not Eigen's, as that is not compiled
- * for wide registers: a front takes two to three times as long with it.
+ * for wide registers: fronts of 30 to 250 columns with twice as many rows below take about two thirds of its time.
  */
 #ifndef recon_DenseFront_h
 #define recon_DenseFront_h
