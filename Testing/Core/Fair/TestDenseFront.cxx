@@ -69,3 +69,25 @@ TEST(DenseFront, SubtractsTheLowerTriangle)
     }
   }
 }
+
+TEST(DenseFront, AddsOneAfterTheOtherOnEveryProcessor)
+{
+  const int count = 77;
+  const int width = 130;
+  const Eigen::MatrixXd panel = Panel(count + width, width);
+  Eigen::MatrixXd made = Eigen::MatrixXd::Constant(count, count, 0.5);
+  SubtractOwnProduct(made.data(), count, panel.data() + width, count + width, width);
+  for (int j = 0; j < count; ++j)
+  {
+    for (int i = j; i < count; ++i)
+    {
+      volatile double sum = 0;
+      for (int k = 0; k < width; ++k)
+      {
+        const volatile double product = panel(width + i, k) * panel(width + j, k);
+        sum = sum + product;
+      }
+      ASSERT_EQ(made(i, j), 0.5 - sum) << i << ", " << j;
+    }
+  }
+}
