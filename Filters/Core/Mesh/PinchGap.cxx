@@ -3,7 +3,10 @@
 
 #include "Base/Median.h"
 #include "Base/PointHash.h"
+#include "Mesh/ComponentNesting.h"
+#include "Mesh/InwardDirection.h"
 #include "Mesh/MassProperties.h"
+#include "Mesh/ThinPieces.h"
 #include "Mesh/TriangleClearance.h"
 #include "Mesh/TriangleComponents.h"
 #include "Mesh/TriangleMeasures.h"
@@ -33,8 +36,6 @@ constexpr double LeastSlope = 1e-6;
 /// by the thousand within one another's reach need.
 constexpr std::size_t FewPairs = 20000000;
 constexpr std::size_t PairsATriangle = 1000;
-/// Steps of the search for a direction on the inner side of all faces of a fan.
-constexpr int DirectionSteps = 64;
 
 class Opening
 {
@@ -176,38 +177,6 @@ private:
     return normals;
   }
 
-  /// A unit vector to the inner side of as many of the planes as can be had, and how far it keeps
-  /// from the nearest of them (the sine; negative: outside of one).
-  static Vector3 InwardOf(const std::vector<Vector3>& normals, double& clearance)
-  {
-    Vector3 direction{ 0, 0, 0 };
-    for (const Vector3& normal : normals)
-    {
-      direction = direction - normal;
-    }
-    Vector3 best{ 0, 0, 0 };
-    clearance = -2;
-    for (int step = 0; step < DirectionSteps; ++step)
-    {
-      const double length = Norm(direction);
-      if (!(length > 0))
-      {
-        break;
-      }
-      const Vector3 unit = (1 / length) * direction;
-      const auto worst = std::max_element(normals.begin(), normals.end(),
-        [&](const Vector3& a, const Vector3& b) { return Dot(a, unit) < Dot(b, unit); });
-      if (-Dot(*worst, unit) > clearance)
-      {
-        clearance = -Dot(*worst, unit);
-        best = unit;
-      }
-      // Away from the plane that is nearest, by less and less.
-      direction = unit - (1.0 / (2 + step)) * *worst;
-    }
-    return best;
-  }
-
   double ShortestEdgeAt(int point) const
   {
     double shortest = std::numeric_limits<double>::infinity();
@@ -306,6 +275,7 @@ private:
       }
     }
     this->Make(first, tree);
+    this->KeepNesting(tree);
   }
 
   /// Around each triangle wherever its points may go, and how far from where they are. A shorter way along a
@@ -375,17 +345,24 @@ private:
   void Make(std::size_t first, const TriangleTree& tree)
   {
     std::vector<int> toLookAt;
-    const auto place = [&](std::size_t m)
-    {
-      this->Mesh.Points[this->Moves[m].Point] = this->Moves[m].To();
-      const auto& fan = this->Fans[this->FanOf[this->Moves[m].Point]];
-      toLookAt.insert(toLookAt.end(), fan.begin(), fan.end());
-    };
     for (std::size_t m = first; m < this->Moves.size(); ++m)
     {
       this->MoveOf[this->Moves[m].Point] = static_cast<int>(m);
-      place(m);
+      this->PlaceAgain(static_cast<int>(m), toLookAt);
     }
+    this->Settle(toLookAt, tree);
+  }
+
+  void PlaceAgain(int m, std::vector<int>& toLookAt)
+  {
+    this->Mesh.Points[this->Moves[m].Point] = this->Moves[m].To();
+    const auto& fan = this->Fans[this->FanOf[this->Moves[m].Point]];
+    toLookAt.insert(toLookAt.end(), fan.begin(), fan.end());
+  }
+
+  /// Other trials of moves that make what is to be looked at cross, touch or turn.
+  void Settle(std::vector<int>& toLookAt, const TriangleTree& tree)
+  {
     // Every round takes a trial from a move, and each has only so many.
     while (!toLookAt.empty())
     {
@@ -398,8 +375,51 @@ private:
       for (int m : wrong)
       {
         isEnough ? this->Moves[m].GiveUp() : this->Moves[m].TryNext();
-        place(static_cast<std::size_t>(m));
+        this->PlaceAgain(m, toLookAt);
       }
+    }
+  }
+
+  std::vector<int> Nesting(const TriangleMesh& mesh) const
+  {
+    return FindComponentNesting(
+      mesh, this->Pieces.Of, std::vector<bool>(this->Volumes.size(), true));
+  }
+
+  /// Thin pieces come to lie in no other piece, and out of none: else nothing moves in their places.
+  void KeepNesting(const TriangleTree& tree)
+  {
+    if (this->Volumes.size() < 2 ||
+      !HasThinPiece(this->Mesh, this->Pieces.Of, this->Volumes, this->Gap))
+    {
+      return;
+    }
+    const std::vector<int> before = this->Nesting({ this->Origin, this->Mesh.Triangles });
+    for (std::vector<int> undone{ 0 }; !undone.empty();)
+    {
+      this->Observer.Update(0.97, "parting sheets that touch");
+      const std::vector<int> after = this->Nesting(this->Mesh);
+      undone.clear();
+      for (const std::vector<int>& place : this->Places)
+      {
+        const bool isKept = std::all_of(place.begin(), place.end(),
+          [&](int p)
+          {
+            const int piece = this->Pieces.Of[this->Fans[this->FanOf[p]].front()];
+            return before[piece] == after[piece];
+          });
+        for (const int p : place)
+        {
+          const int m = this->MoveOf[p];
+          if (!isKept && m >= 0 && this->Moves[m].IsMade())
+          {
+            this->Moves[m].GiveUp();
+            this->PlaceAgain(m, undone);
+          }
+        }
+      }
+      std::vector<int> toLookAt = undone;
+      this->Settle(toLookAt, tree);
     }
   }
 

@@ -35,7 +35,7 @@ struct PinchGapResult
  *
  * One point of every place stays where it is. A move is judged by exact predicates; one that would
  * make triangles cross, overlap or touch, or turn a thin piece inside out, is tried the other way round, in other directions and at a
- * half, a quarter and an eighth, and then not made. After a thousand pairs of triangles looked at for each
+ * half, a quarter and an eighth, and then not made. None is made where a piece thinner than the gap would come to lie in another. After a thousand pairs of triangles looked at for each
  * triangle, and twenty million more, one that would is not made at once.
  *
  * @param mesh closed, oriented outward and manifold by its indices; triangles do not cross
