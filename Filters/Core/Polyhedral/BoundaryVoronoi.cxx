@@ -16,7 +16,7 @@ namespace
 {
 using RegionPair = std::pair<int, int>;
 
-/// A row of T12 that is left out: all of them lie inside both contours and are kept.
+/// A row of T12 that is left out: all of them lie inside contours of either level and are kept.
 struct Gap
 {
   int Own; ///< level of the Voronoi edge that it lies along
@@ -164,8 +164,9 @@ private:
     return RegionAtEdge(this->Cells.LevelAt(1 - path.Own), crossing.Edges[1 - path.Own]);
   }
 
-  /// What is left out between two cells lies inside both contours and is joined; if not, it lies
-  /// outside both, or not joined. Its first and its last tell. Nothing else may be left out.
+  /// What is left out between two cells lies inside both contours, or inside one and at no external edge of the other,
+  /// and is joined; if not, it lies outside both, or is not joined. Its first and its last tell. Nothing else may be
+  /// left out.
   bool IsKeptBetween(const VoronoiPath& path, const Side& before, const Side& after)
   {
     const auto& level = this->Cells.LevelAt(path.Own);
@@ -181,24 +182,28 @@ private:
       return false;
     }
     const auto sides = SidesOf(this->Cells, *first);
-    const bool inside = sides[0] && sides[1];
-    if (sides != SidesOf(this->Cells, *last) || (sides[path.Own] && !inside))
+    const int other = 1 - path.Own;
+    const auto isExternal = [&](const JointCrossing& crossing)
+    { return KindOf(this->Cells.LevelAt(other), crossing.Edges[other]) == EdgeKind::External; };
+    if (sides != SidesOf(this->Cells, *last) ||
+      (sides[path.Own] && (isExternal(*first) || isExternal(*last))))
     {
       this->Unsafe.Mark(path.Own, path.Edge);
       return false;
     }
-    if (!inside)
+    if (!sides[0] && !sides[1])
     {
       return false;
     }
     const int own = RegionAtEdge(level, path.Edge);
-    const int other = this->RegionOfOther(path, *first);
-    if (other != this->RegionOfOther(path, *last))
+    const int otherRegion = this->RegionOfOther(path, *first);
+    if (otherRegion != this->RegionOfOther(path, *last))
     {
       this->Unsafe.Mark(path.Own, path.Edge);
       return false;
     }
-    const RegionPair regions = path.Own == 0 ? RegionPair{ own, other } : RegionPair{ other, own };
+    const RegionPair regions =
+      path.Own == 0 ? RegionPair{ own, otherRegion } : RegionPair{ otherRegion, own };
     if (!this->Joins.AreJoined(regions.first, regions.second))
     {
       return false;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Polyhedral/LevelSearch.h"
 
+#include "Polyhedral/DelaunayEdges.h"
 #include "Polyhedral/VertexStars.h"
 
 #include <algorithm>
@@ -13,21 +14,14 @@ namespace
 {
 constexpr double Never = std::numeric_limits<double>::infinity();
 
-std::vector<std::array<int, 2>> ContourEdgesOf(const LevelTriangulation& level)
-{
-  std::vector<std::array<int, 2>> edges;
-  for (int t = 0; t < static_cast<int>(level.Triangles.size()); ++t)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      if (level.EdgeContour[t][k] >= 0 && CanonicalEdge(level, t, k) == 3 * t + k)
-      {
-        edges.push_back({ { level.Triangles[t][(k + 1) % 3], level.Triangles[t][(k + 2) % 3] } });
-      }
-    }
-  }
-  return edges;
-}
+/// A length beyond all that coordinates have.
+constexpr double Anywhere = 1e150;
+
+/// What is searched with lies within so many diagonals of a level.
+constexpr double FarOutside = 64;
+
+/// As FilterFactor of JointVoronoiPredicates.cxx.
+constexpr double FilterFactor = 32 * std::numeric_limits<double>::epsilon();
 
 std::vector<Box2> BoxesOf(const LevelTriangulation& level)
 {
@@ -35,18 +29,6 @@ std::vector<Box2> BoxesOf(const LevelTriangulation& level)
   for (const Point2& p : level.Points)
   {
     boxes.emplace_back(p, p);
-  }
-  return boxes;
-}
-
-std::vector<Box2> BoxesOf(
-  const LevelTriangulation& level, const std::vector<std::array<int, 2>>& edges)
-{
-  std::vector<Box2> boxes;
-  for (const auto& edge : edges)
-  {
-    boxes.push_back(
-      Box2::Around(std::array<Point2, 2>{ { level.Points[edge[0]], level.Points[edge[1]] } }));
   }
   return boxes;
 }
@@ -85,11 +67,107 @@ VertexSearch::VertexSearch(const LevelTriangulation& level) : Level(level), Vert
 {
 }
 
+double VoronoiVertexError(const LevelTriangulation& level, int triangle)
+{
+  const auto& t = level.Triangles[triangle];
+  const Point2& a = level.Points[t[0]];
+  const double bx = level.Points[t[1]][0] - a[0], by = level.Points[t[1]][1] - a[1];
+  const double cx = level.Points[t[2]][0] - a[0], cy = level.Points[t[2]][1] - a[1];
+  const double b2 = bx * bx + by * by, c2 = cx * cx + cy * cy;
+  const double determinant = std::abs(bx * cy - by * cx);
+  const double sum = std::abs(bx * cy) + std::abs(by * cx);
+  const double numerator = b2 * (std::abs(cx) + std::abs(cy)) + c2 * (std::abs(bx) + std::abs(by));
+  return determinant > 2 * FilterFactor * sum
+    ? FilterFactor * numerator / determinant * (1 + sum / determinant) +
+      FilterFactor * (std::abs(a[0]) + std::abs(a[1]))
+    : Never;
+}
+
 LevelSearch::LevelSearch(const LevelTriangulation& level)
   : VertexSearch(level),
     Edges(ContourEdgesOf(level)),
-    Contours(BoxesOf(level, Edges))
+    Contours(BoxesOf(Edges)),
+    Skeleton(ExternalEdgesOf(level)),
+    External(BoxesOf(Skeleton))
 {
+}
+
+std::vector<LevelSearch::Segment> LevelSearch::ContourEdgesOf(const LevelTriangulation& level)
+{
+  std::vector<Segment> edges;
+  for (int t = 0; t < static_cast<int>(level.Triangles.size()); ++t)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      if (level.EdgeContour[t][k] >= 0 && CanonicalEdge(level, t, k) == 3 * t + k)
+      {
+        const auto& corners = level.Triangles[t];
+        edges.push_back(
+          { level.Points[corners[(k + 1) % 3]], level.Points[corners[(k + 2) % 3]], 0 });
+      }
+    }
+  }
+  return edges;
+}
+
+std::vector<LevelSearch::Segment> LevelSearch::ExternalEdgesOf(const LevelTriangulation& level)
+{
+  const Box2 box = Box2::Around(level.Points);
+  std::vector<Segment> edges;
+  for (int t = 0; t < static_cast<int>(level.Triangles.size()); ++t)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const int edge = 3 * t + k;
+      if (CanonicalEdge(level, t, k) != edge || KindOf(level, edge) != EdgeKind::External)
+      {
+        continue;
+      }
+      const Point2 from = level.VoronoiVertex(t);
+      double error = VoronoiVertexError(level, t);
+      Point2 to = from;
+      const int neighbour = level.Neighbours[t][k];
+      if (neighbour >= 0)
+      {
+        to = level.VoronoiVertex(neighbour);
+        error = std::max(error, VoronoiVertexError(level, neighbour));
+      }
+      else
+      {
+        // To infinity: as far as anything may be that is searched with.
+        const Point2& p = level.Points[level.Triangles[t][(k + 1) % 3]];
+        const Point2& q = level.Points[level.Triangles[t][(k + 2) % 3]];
+        const double length = std::hypot(q[0] - p[0], q[1] - p[1]);
+        const double far = FarOutside * box.Diagonal() +
+          std::hypot(from[0] - box.Middle()[0], from[1] - box.Middle()[1]);
+        to = { from[0] + far * (q[1] - p[1]) / length, from[1] - far * (q[0] - p[0]) / length };
+        error += FilterFactor * far;
+      }
+      edges.push_back({ from, to, std::isfinite(error) ? error : Never });
+    }
+  }
+  return edges;
+}
+
+std::vector<Box2> LevelSearch::BoxesOf(const std::vector<Segment>& segments)
+{
+  std::vector<Box2> boxes;
+  for (const Segment& segment : segments)
+  {
+    Box2 box;
+    for (const Point2& end : { segment.From, segment.To })
+    {
+      // What may be anywhere is in the way everywhere.
+      const bool known = std::isfinite(end[0]) && std::isfinite(end[1]) && segment.Error < Anywhere;
+      for (const double side : { -1.0, 1.0 })
+      {
+        box.Add(known ? Point2{ end[0] + side * segment.Error, end[1] + side * segment.Error }
+                      : Point2{ side * Anywhere, side * Anywhere });
+      }
+    }
+    boxes.push_back(box);
+  }
+  return boxes;
 }
 
 int VertexSearch::NearestVertex(const Point2& p) const
@@ -107,21 +185,38 @@ int VertexSearch::NearestVertex(const Point2& p) const
 std::optional<LineInterval> LevelSearch::FirstContour(
   const PlanarLine& line, double tolerance) const
 {
-  const auto found =
-    this->Contours.Least([&](const Box2& box) { return EarliestIn(box, line, tolerance); },
-      [&](int edge)
-      {
-        const auto near = this->Near(edge, line, tolerance);
-        return near ? near->From : Never;
-      });
-  return found.Number < 0 ? std::nullopt : this->Near(found.Number, line, tolerance);
+  return First(this->Contours, this->Edges, line, tolerance);
+}
+
+std::optional<LineInterval> LevelSearch::FirstExternal(
+  const PlanarLine& line, double tolerance) const
+{
+  return First(this->External, this->Skeleton, line, tolerance);
+}
+
+std::optional<LineInterval> LevelSearch::First(const BoxTree& boxes,
+  const std::vector<Segment>& segments, const PlanarLine& line, double tolerance)
+{
+  const auto found = boxes.Least([&](const Box2& box) { return EarliestIn(box, line, tolerance); },
+    [&](int number)
+    {
+      const auto near = Near(segments[number], line, tolerance);
+      return near ? near->From : Never;
+    });
+  return found.Number < 0 ? std::nullopt : Near(segments[found.Number], line, tolerance);
 }
 
 std::optional<LineInterval> LevelSearch::Near(
-  int edge, const PlanarLine& line, double tolerance) const
+  const Segment& segment, const PlanarLine& line, double least)
 {
-  const Seen p = See(line, this->Level.Points[this->Edges[edge][0]]);
-  const Seen q = See(line, this->Level.Points[this->Edges[edge][1]]);
+  const double tolerance = least + segment.Error;
+  if (!(tolerance < Anywhere) || !std::isfinite(segment.From[0] + segment.From[1]) ||
+    !std::isfinite(segment.To[0] + segment.To[1]))
+  {
+    return LineInterval{ line.From, line.To }; // in the way from the beginning to the end
+  }
+  const Seen p = See(line, segment.From);
+  const Seen q = See(line, segment.To);
   if (std::min(p.Beside, q.Beside) > tolerance || std::max(p.Beside, q.Beside) < -tolerance)
   {
     return std::nullopt;

@@ -46,6 +46,10 @@ private:
   BoxTree Vertices;
 };
 
+/// How far rounding may have moved a Voronoi vertex (LevelTriangulation::VoronoiVertex) from its place, in each
+/// coordinate; infinite where that cannot be told.
+double VoronoiVertexError(const LevelTriangulation& level, int triangle);
+
 class LevelSearch : public VertexSearch
 {
 public:
@@ -56,11 +60,30 @@ public:
   /// that reach into the line; none where no edge does.
   std::optional<LineInterval> FirstContour(const PlanarLine& line, double tolerance) const;
 
-private:
-  std::optional<LineInterval> Near(int edge, const PlanarLine& line, double tolerance) const;
+  /// The same of Voronoi edges of the external skeleton, the edges between which that of an external
+  /// Delaunay edge lies; rounding of their ends counts as distance.
+  std::optional<LineInterval> FirstExternal(const PlanarLine& line, double tolerance) const;
 
-  std::vector<std::array<int, 2>> Edges; ///< of contours: points
+private:
+  struct Segment
+  {
+    Point2 From;
+    Point2 To;
+    double Error; ///< how far it may be off
+  };
+
+  static std::vector<Segment> ContourEdgesOf(const LevelTriangulation& level);
+  static std::vector<Segment> ExternalEdgesOf(const LevelTriangulation& level);
+  static std::vector<Box2> BoxesOf(const std::vector<Segment>& segments);
+  static std::optional<LineInterval> Near(
+    const Segment& segment, const PlanarLine& line, double tolerance);
+  static std::optional<LineInterval> First(const BoxTree& boxes,
+    const std::vector<Segment>& segments, const PlanarLine& line, double tolerance);
+
+  std::vector<Segment> Edges; ///< of contours
   BoxTree Contours;
+  std::vector<Segment> Skeleton;
+  BoxTree External;
 };
 }
 

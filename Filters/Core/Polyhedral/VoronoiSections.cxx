@@ -4,6 +4,7 @@
 #include "Base/BoundingBox.h"
 #include "Base/Monitor.h"
 #include "Base/StopSignal.h"
+#include "Polyhedral/VertexRegions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,23 +42,17 @@ PlanarLine LineOf(const Point2& a, const Point2& b)
     Infinity };
 }
 
-/// How far rounding may have moved a Voronoi vertex from its place, in each coordinate.
-double VoronoiVertexError(const LevelTriangulation& level, int triangle)
+bool HasTouchingRegions(const LevelTriangulation& level)
 {
-  const auto& t = level.Triangles[triangle];
-  const Point2& a = level.Points[t[0]];
-  const double bx = level.Points[t[1]][0] - a[0], by = level.Points[t[1]][1] - a[1];
-  const double cx = level.Points[t[2]][0] - a[0], cy = level.Points[t[2]][1] - a[1];
-  const double b2 = bx * bx + by * by, c2 = cx * cx + cy * cy;
-  const double determinant = std::abs(bx * cy - by * cx);
-  const double sum = std::abs(bx * cy) + std::abs(by * cx);
-  const double numerator = b2 * (std::abs(cx) + std::abs(cy)) + c2 * (std::abs(bx) + std::abs(by));
-  // As FilterFactor of JointVoronoiPredicates.cxx.
-  constexpr double factor = 32 * std::numeric_limits<double>::epsilon();
-  return determinant > 2 * factor * sum
-    ? factor * numerator / determinant * (1 + sum / determinant) +
-      factor * (std::abs(a[0]) + std::abs(a[1]))
-    : std::numeric_limits<double>::infinity();
+  const VertexRegions regions(level);
+  for (int v = 0; v < static_cast<int>(level.Points.size()); ++v)
+  {
+    if (regions.IsTouching(v))
+    {
+      return true;
+    }
+  }
+  return false;
 }
 }
 
@@ -136,6 +131,7 @@ struct VoronoiSections::Walker
 VoronoiSections::VoronoiSections(const JointCells& cells)
   : Cells(cells),
     Search{ { LevelSearch(cells.LevelAt(0)), LevelSearch(cells.LevelAt(1)) } },
+    Touching{ { HasTouchingRegions(cells.LevelAt(0)), HasTouchingRegions(cells.LevelAt(1)) } },
     Tolerance(ToleranceShare * DiagonalOf(cells))
 {
 }
@@ -166,15 +162,15 @@ void VoronoiSections::Find(int own, int edge, bool all, std::vector<JointCrossin
     }
     crossings.push_back(CrossingOf(this->Cells, walker.Path, walker.Cell, *exit));
     const std::array<bool, 2> inside = SidesOf(this->Cells, crossings.back());
-    if (!all && !inside[own])
-    {
-      return;
-    }
+    // Beside regions that touch one cannot tell whose contour comes next.
+    const bool mayJump = !all && (inside[1 - own] || !this->Touching[1 - own]);
     const double reached =
-      all || !inside[1 - own] ? Infinity : this->PositionOf(walker, walker.Cell, exit->Cell).To;
+      mayJump ? this->PositionOf(walker, walker.Cell, exit->Cell).To : Infinity;
     walker.Cell = exit->Cell;
     walker.CameFrom = exit->SideA;
-    if (reached < Infinity && this->Jump(walker, reached, crossings))
+    if (reached < Infinity &&
+      (inside[own] ? this->Jump(walker, reached, inside[1 - own], crossings)
+                   : this->JumpOutside(walker, reached, inside[1 - own], crossings)))
     {
       return;
     }
@@ -259,14 +255,43 @@ std::optional<int> VoronoiSections::CellAt(const Walker& walker, double s, doubl
   return std::nullopt;
 }
 
+/// To that place, and one crossing back, or so many that one of them is inside the own contours where
+/// that is asked for. Stays where the place is too near to be sure.
+void VoronoiSections::JumpTo(Walker& walker, double target, double after, bool back,
+  std::vector<JointCrossing>& crossings) const
+{
+  const auto cell = target > after ? this->CellAt(walker, target, after) : std::nullopt;
+  if (!cell)
+  {
+    return;
+  }
+  int before = *cell;
+  for (int steps = 0; steps < MostStepsBack; ++steps)
+  {
+    const auto entry = walker.Back.Leave(before);
+    if (!entry || entry->Cell < 0)
+    {
+      break;
+    }
+    crossings.push_back(CrossingOf(this->Cells, Reversed(walker.Path), before, *entry));
+    before = entry->Cell;
+    if (!back || SidesOf(this->Cells, crossings.back())[walker.Path.Own])
+    {
+      break;
+    }
+  }
+  walker.Cell = *cell;
+  walker.CameFrom = -1;
+}
+
 /**
- * From a place inside both contours to the next contour of the other level or, on the way out, the
- * middle of the own contour edge. Stays where that is too near to be sure.
+ * From a place inside the own contours to where the next contour of the other level comes, or the next edge of its
+ * external skeleton or, on the way out, the middle of the own contour edge.
  *
  * @returns whether there is nothing more to come
  */
 bool VoronoiSections::Jump(
-  Walker& walker, double after, std::vector<JointCrossing>& crossings) const
+  Walker& walker, double after, bool insideOther, std::vector<JointCrossing>& crossings) const
 {
   PlanarLine line = LineOf(walker.A, walker.B);
   const double margin = this->Tolerance / std::hypot(line.Direction[0], line.Direction[1]);
@@ -276,37 +301,61 @@ bool VoronoiSections::Jump(
   const double end = out ? std::min(0.0, last) : last;
   line.From = after;
   line.To = end + (out ? margin : 0);
-  const auto contour = end > after
-    ? this->Search[1 - walker.Path.Own].FirstContour(line, this->Tolerance)
-    : std::nullopt;
-  if (!contour && !out)
+  const LevelSearch& other = this->Search[1 - walker.Path.Own];
+  auto obstacle = end > after ? other.FirstContour(line, this->Tolerance) : std::nullopt;
+  const auto external =
+    end > after && !insideOther ? other.FirstExternal(line, this->Tolerance) : std::nullopt;
+  if (external && (!obstacle || external->From < obstacle->From))
+  {
+    obstacle = external;
+  }
+  if (!obstacle && !out)
   {
     return end > after;
   }
-  const double target = contour ? std::min(contour->From - margin, end) : end;
-  const auto cell = target > after ? this->CellAt(walker, target, after) : std::nullopt;
-  if (!cell)
+  const double target = obstacle ? std::min(obstacle->From - margin, end) : end;
+  // What comes before the cell belongs to it as well; in the middle, the last one inside.
+  this->JumpTo(walker, target, after, true, crossings);
+  return false;
+}
+
+/**
+ * From a place outside the own contours to where the next contour of the other level comes. Where the path ends inside that
+ * one, the last crossing is added.
+ *
+ * @returns whether there is nothing more to come
+ */
+bool VoronoiSections::JumpOutside(
+  Walker& walker, double after, bool insideOther, std::vector<JointCrossing>& crossings) const
+{
+  PlanarLine line = LineOf(walker.A, walker.B);
+  const double margin = this->Tolerance / std::hypot(line.Direction[0], line.Direction[1]);
+  const double end = walker.Path.To < 0 ? Infinity : this->EndOf(walker);
+  if (!(end > after))
   {
     return false;
   }
-  // What comes before the cell belongs to it as well; in the middle, the last one inside.
-  int back = *cell;
-  for (int steps = 0; steps < MostStepsBack; ++steps)
+  line.From = after;
+  line.To = end;
+  const auto contour = this->Search[1 - walker.Path.Own].FirstContour(line, this->Tolerance);
+  if (contour)
   {
-    const auto entry = walker.Back.Leave(back);
+    this->JumpTo(walker, contour->From - margin, after, false, crossings);
+    return false;
+  }
+  if (insideOther && walker.Path.To < 0)
+  {
+    return false; // cannot be
+  }
+  if (insideOther && walker.Last != walker.Cell)
+  {
+    const auto entry = walker.Back.Leave(walker.Last);
     if (!entry || entry->Cell < 0)
     {
-      break;
+      return false;
     }
-    crossings.push_back(CrossingOf(this->Cells, Reversed(walker.Path), back, *entry));
-    back = entry->Cell;
-    if (SidesOf(this->Cells, crossings.back())[walker.Path.Own])
-    {
-      break;
-    }
+    crossings.push_back(CrossingOf(this->Cells, Reversed(walker.Path), walker.Last, *entry));
   }
-  walker.Cell = *cell;
-  walker.CameFrom = -1;
-  return false;
+  return true;
 }
 }

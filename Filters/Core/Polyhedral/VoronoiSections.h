@@ -6,9 +6,10 @@
  *
  * Along the Voronoi edge of a contour edge or an internal edge, its own level's solid ends in the
  * middle of the contour edge, and the other level's where the edge crosses a contour of that. A
- * crossing outside both is not solid, and one inside both is. So what matters lies inside the own
- * level's contours and outside the other's, and one crossing around it. Which side a crossing lies
- * on is decided exactly. Where the next contour comes is looked up, with a tolerance that is far
+ * crossing outside both is not solid, one inside either is, unless it is one with an external edge of the other
+ * level. So what matters is where a contour of either level comes, or an edge of the other's external
+ * skeleton, and one crossing before and one after it. Which side a crossing lies
+ * on is decided exactly. Where the next of these comes is looked up, with a tolerance that is far
  * above all rounding: within it every crossing is looked at, and only beyond it are any passed
  * over. Both levels must have condition 2 (see LevelTriangulation.h), or a Voronoi edge may cross
  * its own contour elsewhere.
@@ -68,13 +69,19 @@ private:
   struct Walker;
 
   std::optional<int> CellAt(const Walker& walker, double s, double after) const;
-  bool Jump(Walker& walker, double after, std::vector<JointCrossing>& crossings) const;
+  void JumpTo(Walker& walker, double target, double after, bool back,
+    std::vector<JointCrossing>& crossings) const;
+  bool Jump(
+    Walker& walker, double after, bool insideOther, std::vector<JointCrossing>& crossings) const;
+  bool JumpOutside(
+    Walker& walker, double after, bool insideOther, std::vector<JointCrossing>& crossings) const;
   LineInterval PositionOf(const Walker& walker, int from, int to) const;
   double EndOf(const Walker& walker) const;
 
   const JointCells& Cells;
   std::array<LevelSearch, 2> Search;
-  double Tolerance; ///< length
+  std::array<bool, 2> Touching; ///< by level, whether a vertex belongs to several regions
+  double Tolerance;             ///< length
 };
 }
 

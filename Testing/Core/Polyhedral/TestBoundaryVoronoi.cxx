@@ -7,6 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 using namespace recon;
 using namespace recon::testing;
 
@@ -60,6 +63,48 @@ TEST(BoundaryVoronoi, TakesAFewTetrahedraOfMany)
   const SlabTetrahedra few = BuildBoundaryVoronoi(cells, {});
   EXPECT_TRUE(few.HasGaps);
   EXPECT_LT(10 * few.Tetrahedra.size(), all.Tetrahedra.size());
+}
+
+// What lies between two outlines that are not one above the other is not enumerated either.
+TEST(BoundaryVoronoi, TakesTetrahedraInProportionToTheSampling)
+{
+  std::size_t before = 0;
+  for (const int points : { 2000, 4000, 8000 })
+  {
+    const auto levels = TriangulateLevels(BlobStack(points, 2), true);
+    const JointCells cells(levels[0], levels[1]);
+    const std::size_t count = BuildBoundaryVoronoi(cells, {}).Tetrahedra.size();
+    EXPECT_TRUE(before == 0 || 10 * count < 22 * before) << count << " after " << before;
+    before = count;
+  }
+}
+
+// Where a hole of the one lies between the outlines of both, what is beyond it comes loose (thesis 6.4).
+TEST(BoundaryVoronoi, GivesTheSameSurfaceWithHolesBetweenOutlines)
+{
+  const auto hole = [](double angle, double radius)
+  {
+    Ring ring = RegularPolygon(40, radius, 0.1, { 1.55 * std::cos(angle), 1.55 * std::sin(angle) });
+    std::reverse(ring.begin(), ring.end());
+    return ring;
+  };
+  for (const int points : { 300, 900 })
+  {
+    const Ring outer = RegularPolygon(points, 2, 0.003);
+    const Ring inner = RegularPolygon(points, 1, 0, { 0.05, 0.02 });
+    ExpectSameFromBoundary(
+      BuildStack({ { outer, hole(0.3, 0.1), hole(2, 0.3) }, { inner }, { outer } }));
+    ExpectSameFromBoundary(
+      BuildStack({ { inner }, { outer, hole(0, 0.2), hole(0.4, 0.05) }, { inner, hole(1, 0.2) } }));
+    // A notch, and a second region beyond it.
+    Ring notched = outer;
+    for (std::size_t i = 0; i < notched.size() / 40; ++i)
+    {
+      notched[i] = { 0.6 * notched[i][0], 0.6 * notched[i][1] };
+    }
+    ExpectSameFromBoundary(BuildStack(
+      { { notched, RegularPolygon(points / 4, 0.4, 0, { 3, 0 }) }, { inner }, { notched } }));
+  }
 }
 
 TEST(BoundaryVoronoi, DrawnContoursHaveAllTheirTetrahedra)

@@ -39,11 +39,24 @@ CornersByEdges Found(const JointCells& cells, const std::vector<int>& levels, bo
   return found;
 }
 
+/// As far as contours alone tell.
+bool IsSolid(const JointCells& cells, const SlabTetrahedra::Tetrahedron& t)
+{
+  if (t.Node != SlabTetrahedra::T12)
+  {
+    return cells.LevelAt(t.Node == SlabTetrahedra::T1 ? 0 : 1).Inside[t.Origin[0]] != 0;
+  }
+  const auto inside = SidesOf(cells, { t.Origin, t.Corners });
+  return KindOf(cells.LevelAt(0), t.Origin[0]) != EdgeKind::External &&
+    KindOf(cells.LevelAt(1), t.Origin[1]) != EdgeKind::External && (inside[0] || inside[1]);
+}
+
 void ExpectSections(const LevelTriangulation& lower, const LevelTriangulation& upper)
 {
   const JointCells cells(lower, upper);
+  const SlabTetrahedra slab = BuildJointVoronoi(lower, upper);
   CornersByEdges all;
-  for (const auto& t : BuildJointVoronoi(lower, upper).Tetrahedra)
+  for (const auto& t : slab.Tetrahedra)
   {
     if (t.Node == SlabTetrahedra::T12)
     {
@@ -58,16 +71,20 @@ void ExpectSections(const LevelTriangulation& lower, const LevelTriangulation& u
     ASSERT_EQ(all.count(crossing.first), 1u);
     EXPECT_EQ(all.at(crossing.first), crossing.second);
   }
-  for (const auto& [edges, corners] : all)
+  for (const auto& t : slab.Tetrahedra)
   {
-    const auto inside = SidesOf(cells, { edges, corners });
-    EXPECT_TRUE(inside[0] == inside[1] || few.count(edges) == 1)
-      << edges[0] << " and " << edges[1] << " cross inside one level's contours only";
+    for (const int neighbour : t.Neighbours)
+    {
+      const bool isBorder = t.Node == SlabTetrahedra::T12 && neighbour >= 0 && IsSolid(cells, t) &&
+        !IsSolid(cells, slab.Tetrahedra[neighbour]);
+      EXPECT_TRUE(!isBorder || few.count(t.Origin) == 1)
+        << t.Origin[0] << " and " << t.Origin[1] << " cross where solid ends";
+    }
   }
 }
 }
 
-TEST(VoronoiSections, HoldWhatLiesInsideOneLevelOnly)
+TEST(VoronoiSections, HoldWhereSolidBeginsAndEnds)
 {
   const auto blobs = TriangulateLevels(BlobStack(300, 2), true);
   ExpectSections(blobs[0], blobs[1]);
