@@ -17,8 +17,8 @@ import subprocess
 import sys
 
 BIN = os.environ["CONTOUR_BIN_DIR"]
-# Exponents over the points a level and over the levels. The tetrahedra between two outlines grow with their square.
-MOST_TIME = {"points": 1.6, "levels": 1.2}
+# Exponents over the points a level and over the levels.
+MOST_TIME = {"points": 1.6, "levels": 1.1}
 MOST_MEMORY = 1.3
 
 
@@ -61,8 +61,8 @@ def main():
         sys.exit(subprocess.call([os.path.join(BIN, "bench_psm")] + sys.argv[1:]))
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--growth", action="store_true")
-    parser.add_argument("--points", type=numbers, default=[1000, 10000, 100000])
-    parser.add_argument("--levels", type=numbers, default=[10, 100, 1000])
+    parser.add_argument("--points", type=numbers, default=[1000, 10000, 30000, 100000])
+    parser.add_argument("--levels", type=numbers, default=[10, 100, 1000, 10000])
     parser.add_argument("--json")
     parser.add_argument("--check", action="store_true")
     options = parser.parse_args()
