@@ -228,3 +228,42 @@ TEST(PinchGap, PiecesMuchSmallerThanTheGapTakeNoLongerThanOthers)
   EXPECT_EQ(result.Left, 0u);
   ExpectManifoldWhenWelded(mesh);
 }
+
+TEST(PinchGap, NoSheetIsMovedPastAPieceThinnerThanTheGap)
+{
+  // A prism with a lid on its top, whose corners they share, and a cavity so near below the top that its corners cannot
+  // go down. Up, they would go past the lid.
+  TriangleMesh mesh;
+  const auto addPrism = [&mesh](double size, double low, double high, bool isCavity)
+  {
+    const int first = static_cast<int>(mesh.Points.size());
+    for (const double z : { low, high })
+    {
+      mesh.Points.insert(
+        mesh.Points.end(), { { -2 * size, -size, z }, { 2 * size, -size, z }, { 0, 2 * size, z } });
+    }
+    for (std::array<int, 3> t : std::vector<std::array<int, 3>>{ { 0, 2, 1 }, { 3, 4, 5 },
+           { 0, 1, 4 }, { 0, 4, 3 }, { 1, 2, 5 }, { 1, 5, 4 }, { 2, 0, 3 }, { 2, 3, 5 } })
+    {
+      if (isCavity)
+      {
+        std::swap(t[1], t[2]);
+      }
+      mesh.Triangles.push_back({ first + t[0], first + t[1], first + t[2] });
+    }
+  };
+  addPrism(1, -1, 0, false);
+  addPrism(0.8, -0.5, -0.001, true);
+  mesh.Points.insert(mesh.Points.end(),
+    { mesh.Points[3], mesh.Points[4], mesh.Points[5], { 0, 0, 1e-4 }, { 0, 0, 1e-3 } });
+  for (int k = 0; k < 3; ++k)
+  {
+    mesh.Triangles.push_back({ 12 + (k + 1) % 3, 12 + k, 15 });
+    mesh.Triangles.push_back({ 12 + k, 12 + (k + 1) % 3, 16 });
+  }
+  ASSERT_TRUE(CheckTopology(mesh).Total.Outward);
+  Monitor monitor;
+  const PinchGapResult result = OpenPinches(mesh, 0.05, { 0, 0, 0 }, monitor);
+  EXPECT_EQ(result.Places, 3u);
+  EXPECT_TRUE(CheckTopology(mesh).Total.Outward);
+}
