@@ -58,7 +58,8 @@ def check_exceptions(prefix):
 def build(prefix, place):
     lines = (SOURCE / "Documentation/example/CMakeLists.txt").read_text(encoding="utf-8").splitlines()
     check(len(lines) <= 10, f"the example's CMakeLists.txt has {len(lines)} lines, ten at most")
-    log = run("cmake", "-S", SOURCE / "Documentation/example", "-B", place, f"-DCMAKE_PREFIX_PATH={prefix}",
+    log = run("cmake", "-G", "Ninja", "-S", SOURCE / "Documentation/example", "-B", place,
+              f"-DCMAKE_PREFIX_PATH={prefix}",
               "-DCMAKE_BUILD_TYPE=Release", f"-DCMAKE_CXX_FLAGS={os.environ.get('CONTOUR_CXX_FLAGS', '')}",
               "-DCMAKE_DISABLE_FIND_PACKAGE_ParaView=ON", "-DCMAKE_DISABLE_FIND_PACKAGE_VTK=ON")
     # CMake says of a variable that nothing asked for it: nobody looks for ParaView or VTK.

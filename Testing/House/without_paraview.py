@@ -11,7 +11,7 @@ import house
 
 with tempfile.TemporaryDirectory() as folder:
     done = subprocess.run(
-        ["cmake", "-S", str(house.root()), "-B", folder, "-DCONTOUR_PLUGIN=OFF",
+        ["cmake", "-G", "Ninja", "-S", str(house.root()), "-B", folder, "-DCONTOUR_PLUGIN=OFF",
          "-DCMAKE_DISABLE_FIND_PACKAGE_ParaView=ON", "-DCMAKE_DISABLE_FIND_PACKAGE_VTK=ON"],
         stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
     # CMake says of a variable that nothing asked for it.
