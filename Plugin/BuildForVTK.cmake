@@ -3,7 +3,7 @@
 # (ContourReconstructionVTK) for programs in C++, and modules for VTK's own Python (contourreconstruction).
 include(CMakePackageConfigHelpers)
 find_package(VTK 9.1 REQUIRED COMPONENTS
-  CommonCore CommonDataModel CommonExecutionModel FiltersCore IOCore
+  CommonCore CommonDataModel CommonExecutionModel FiltersCore IOCore ParallelCore
   OPTIONAL_COMPONENTS Python WrappingPythonCore)
 if (CONTOUR_WRAP_PYTHON AND NOT VTK_WRAP_PYTHON)
   message(FATAL_ERROR "${VTK_DIR} has a VTK without Python: set CONTOUR_WRAP_PYTHON to OFF.")

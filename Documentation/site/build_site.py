@@ -29,7 +29,7 @@ exclude_patterns = []
 """
 LISTS = (("Use it", ["README", "Documentation/installation", "Documentation/package", "Documentation/recipes", "Documentation/stages", "Documentation/choosing",
                      "Documentation/fair-surface", "Documentation/topology", "Documentation/formats", "Documentation/command-line", "Documentation/python",
-                     "Documentation/structure-sets", "Documentation/examples", "Documentation/gallery",
+                     "Documentation/structure-sets", "Documentation/ranks", "Documentation/examples", "Documentation/gallery",
                      "Documentation/nodes", "Documentation/nodes/index"]),
          ("What it is worth", ["Data/TRUTH", "Data/TRUTH_IMPLICIT", "Data/TRUTH_FAIR", "Data/CERTIFICATES", "Data/PLANES", "Data/VOLUMES",
                                "Documentation/comparison", "Documentation/performance"]),

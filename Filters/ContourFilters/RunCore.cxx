@@ -4,6 +4,7 @@
 #include "Base/Geometry.h"
 #include "Base/Monitor.h"
 #include "ContourConversion.h"
+#include "Pieces.h"
 #include "SurfaceSummaries.h"
 
 #include "vtkAlgorithm.h"
@@ -47,35 +48,6 @@ bool EndsMeet(vtkPolyData* input, vtkIdType cell)
   return first == last;
 }
 
-/**
- * What a region of a structure set is, of which nothing can be made: "points only, without a
- * contour" (a marker, an isocentre) or "open contours only" (a channel, a wire); empty otherwise.
- * Vertices and open lines of other origin stay an error of whoever wants contours, and a line that
- * ends where it begins is closed, whatever its type.
- */
-std::string NothingOf(vtkPolyData* input)
-{
-  auto* types =
-    vtkStringArray::SafeDownCast(input->GetCellData()->GetAbstractArray("GeometricType"));
-  const vtkIdType cells = input->GetNumberOfCells();
-  if (!types || cells == 0 || types->GetNumberOfValues() != cells)
-  {
-    return {};
-  }
-  bool pointsOnly = true;
-  for (vtkIdType i = 0; i < cells; ++i)
-  {
-    const std::string type = types->GetValue(i);
-    const bool isOpen = type == "OPEN_PLANAR" || type == "OPEN_NONPLANAR";
-    if ((type != "POINT" && !isOpen) || (isOpen && EndsMeet(input, i)))
-    {
-      return {};
-    }
-    pointsOnly = pointsOnly && !isOpen;
-  }
-  return pointsOnly ? "points only, without a contour" : "open contours only";
-}
-
 std::string RegionOf(vtkDataObject* input)
 {
   auto* names = vtkStringArray::SafeDownCast(input->GetFieldData()->GetAbstractArray("ROIName"));
@@ -91,6 +63,15 @@ void SayIn(Outputs outputs, vtkDataObject* input, const std::string& sentence)
   for (vtkDataObject* output : outputs)
   {
     FinishOutput(input, report, output);
+  }
+}
+
+/// Of a region that another rank works on: its name and colour.
+void PassFieldData(vtkDataObject* input, Outputs outputs)
+{
+  for (vtkDataObject* output : outputs)
+  {
+    FinishOutput(input, GetReport(input), output);
   }
 }
 
@@ -113,6 +94,11 @@ bool PassNothing(vtkAlgorithm* filter, vtkDataObject* input, Outputs outputs)
   }
   if (data->GetNumberOfPoints() == 0 && data->GetNumberOfCells() == 0)
   {
+    if (OwnerElsewhere(data))
+    {
+      PassFieldData(data, outputs);
+      return true;
+    }
     SayIn(outputs, data, "The input is empty, so the output is empty.");
     return true;
   }
@@ -131,6 +117,29 @@ bool IsMissing(vtkDataObject* input, Outputs outputs)
 {
   return !input || std::find(outputs.begin(), outputs.end(), nullptr) != outputs.end();
 }
+}
+
+std::string NothingOf(vtkPolyData* input)
+{
+  auto* types =
+    vtkStringArray::SafeDownCast(input->GetCellData()->GetAbstractArray("GeometricType"));
+  const vtkIdType cells = input->GetNumberOfCells();
+  if (!types || cells == 0 || types->GetNumberOfValues() != cells)
+  {
+    return {};
+  }
+  bool pointsOnly = true;
+  for (vtkIdType i = 0; i < cells; ++i)
+  {
+    const std::string type = types->GetValue(i);
+    const bool isOpen = type == "OPEN_PLANAR" || type == "OPEN_NONPLANAR";
+    if ((type != "POINT" && !isOpen) || (isOpen && EndsMeet(input, i)))
+    {
+      return {};
+    }
+    pointsOnly = pointsOnly && !isOpen;
+  }
+  return pointsOnly ? "points only, without a contour" : "open contours only";
 }
 
 int RunCore(vtkAlgorithm* filter, vtkDataObject* input, const char* needs, Outputs outputs,

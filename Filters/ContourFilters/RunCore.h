@@ -54,6 +54,14 @@ constexpr const char* NeedsContours = "contours as poly data: connect a contour 
 CONTOURFILTERS_EXPORT int RunCore(vtkAlgorithm* filter, vtkDataObject* input, const char* needs,
   Outputs outputs, const std::function<void()>& work);
 
+/**
+ * What a region of a structure set is, of which nothing can be made: "points only, without a
+ * contour" (a marker, an isocentre) or "open contours only" (a channel, a wire); empty otherwise.
+ * Vertices and open lines of other origin stay an error of whoever wants contours, and a line that
+ * ends where it begins is closed, whatever its type.
+ */
+[[nodiscard]] CONTOURFILTERS_EXPORT std::string NothingOf(vtkPolyData* input);
+
 /// RunCore for any input: also one with nothing in it is worked on.
 CONTOURFILTERS_EXPORT int RunOnAnything(
   vtkAlgorithm* filter, Outputs outputs, const std::function<void()>& work);

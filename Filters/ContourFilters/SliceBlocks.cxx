@@ -73,7 +73,7 @@ bool IsRegion(vtkPolyData* data)
 }
 }
 
-std::vector<vtkPolyData*> FindSliceBlocks(vtkDataObject* object)
+std::vector<vtkPolyData*> FindFlatBlocks(vtkDataObject* object)
 {
   std::vector<vtkPolyData*> slices;
   if (!object || vtkPolyData::SafeDownCast(object))
@@ -92,7 +92,13 @@ std::vector<vtkPolyData*> FindSliceBlocks(vtkDataObject* object)
     }
     slices.push_back(block.Data);
   }
-  return slices.size() > 1 ? slices : std::vector<vtkPolyData*>();
+  return slices;
+}
+
+std::vector<vtkPolyData*> FindSliceBlocks(vtkDataObject* object)
+{
+  const std::vector<vtkPolyData*> flat = FindFlatBlocks(object);
+  return flat.size() > 1 ? flat : std::vector<vtkPolyData*>();
 }
 
 vtkSmartPointer<vtkPolyData> JoinBlocks(const std::vector<vtkPolyData*>& blocks)

@@ -22,6 +22,9 @@ namespace recon
  */
 std::vector<vtkPolyData*> FindSliceBlocks(vtkDataObject* object);
 
+/// The same, also where there is one only: of slices that several ranks have.
+std::vector<vtkPolyData*> FindFlatBlocks(vtkDataObject* object);
+
 /// All of them as one, in double precision.
 vtkSmartPointer<vtkPolyData> JoinBlocks(const std::vector<vtkPolyData*>& blocks);
 }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkContourAlgorithm.h"
 
+#include "Base/Text.h"
 #include "ContourConversion.h"
+#include "Pieces.h"
 #include "SurfaceBlocks.h"
 #include "SurfaceSummaries.h"
 
@@ -9,7 +11,9 @@
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 
+#include <map>
 #include <sstream>
 #include <vector>
 
@@ -19,6 +23,9 @@ namespace
 {
 /// More lines than this do not help in a panel; all are in the field data.
 constexpr std::size_t MostLines = 100;
+
+/// Names of regions in a line.
+constexpr std::size_t MostNames = 10;
 
 /// The panel's box does not wrap, and is about as wide.
 constexpr std::size_t PanelWidth = 40;
@@ -39,6 +46,26 @@ std::string Wrapped(const std::string& line)
     row += " " + word;
   }
   return text + row;
+}
+
+/// A line a rank that has regions which this one has not.
+std::string ElsewhereIn(vtkDataObject* output)
+{
+  std::map<int, std::vector<std::string>> namesOn;
+  for (const recon::NamedPolyData& block : recon::ListPolyData(output))
+  {
+    if (const auto owner = recon::OwnerElsewhere(block.Data))
+    {
+      namesOn[*owner].push_back(block.Name);
+    }
+  }
+  std::string text;
+  for (const auto& [rank, names] : namesOn)
+  {
+    text += "On rank " + std::to_string(rank) +
+      ", with their Report: " + recon::Listed(names, MostNames) + "\n";
+  }
+  return text;
 }
 
 /// Lines of the output as a whole where it has some, as those of a reader hold those of its blocks.
@@ -65,6 +92,25 @@ void vtkContourAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
 }
 
+vtkTypeBool vtkContourAlgorithm::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  const vtkTypeBool result = this->Superclass::ProcessRequest(request, inputVector, outputVector);
+  const bool isSource = this->GetNumberOfInputPorts() == 0;
+  if (isSource && request->Has(vtkDemandDrivenPipeline::REQUEST_INFORMATION()))
+  {
+    recon::AnswerPieces(outputVector);
+  }
+  if (request->Has(vtkStreamingDemandDrivenPipeline::REQUEST_UPDATE_EXTENT()))
+  {
+    for (int port = 1; port < this->GetNumberOfInputPorts(); ++port)
+    {
+      recon::RequestWhole(inputVector[port]);
+    }
+  }
+  return result;
+}
+
 const char* vtkContourAlgorithm::GetReport()
 {
   this->ReportText = vtkContourAlgorithm::ReportOf(this);
@@ -78,7 +124,7 @@ std::string vtkContourAlgorithm::ReportOf(vtkAlgorithm* algorithm)
   {
     return {};
   }
-  std::string text = recon::SummariesOf(output);
+  std::string text = recon::SummariesOf(output) + ElsewhereIn(output);
   const std::vector<std::string> lines = LinesOf(output);
   if (lines.empty())
   {

@@ -6,6 +6,9 @@
  * The field data array `Report` of an output has a line for all that was changed or left out. As it
  * is far from a user's eyes there, GetReport() gives it as text, which ParaView's panel shows after
  * Apply.
+ *
+ * Inputs beside the first (planes, tables) are asked for whole in every piece. Readers are asked for
+ * pieces, of which those of one object leave all but the first empty.
  */
 #ifndef vtkContourAlgorithm_h
 #define vtkContourAlgorithm_h
@@ -27,6 +30,9 @@ public:
    * each, behind the block's name. Empty before the first execution.
    */
   const char* GetReport();
+
+  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
 
   /// The same for any other algorithm.
   static std::string ReportOf(vtkAlgorithm* algorithm);

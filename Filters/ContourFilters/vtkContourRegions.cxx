@@ -5,6 +5,8 @@
 #include "Base/Text.h"
 #include "ContourConversion.h"
 #include "FieldArrays.h"
+#include "Pieces.h"
+#include "Ranks.h"
 #include "RunCore.h"
 #include "SliceBlocks.h"
 #include "SurfaceBlocks.h"
@@ -193,20 +195,44 @@ std::vector<Region> SplitRegions(
   return split;
 }
 
-void FillOutput(const std::vector<Region>& regions, vtkPartitionedDataSetCollection* output)
+/// The arrays of the cells without a cell: what another piece has.
+void LeaveOutCells(vtkPolyData* data)
 {
-  unsigned int block = 0;
+  vtkNew<vtkCellData> cells;
+  cells->CopyAllocate(data->GetCellData());
+  vtkNew<vtkPolyData> none;
+  none->SetPoints(vtkNew<vtkPoints>());
+  none->GetCellData()->ShallowCopy(cells);
+  none->SetFieldData(data->GetFieldData());
+  data->ShallowCopy(none);
+}
+
+void FillOutput(
+  const std::vector<Region>& regions, recon::Piece piece, vtkPartitionedDataSetCollection* output)
+{
+  std::vector<std::size_t> weights;
   for (const Region& region : regions)
   {
+    weights.push_back(static_cast<std::size_t>(region.second->GetNumberOfPoints()));
+  }
+  const recon::RegionShares shares(weights, piece);
+  for (std::size_t r = 0; r < regions.size(); ++r)
+  {
+    const auto& [name, contours] = regions[r];
+    const auto block = static_cast<unsigned int>(r);
     vtkNew<vtkPolyData> data;
-    data->ShallowCopy(region.second);
+    data->ShallowCopy(contours);
     vtkNew<vtkFieldData> field; // the input's own must not get the name
-    field->ShallowCopy(region.second->GetFieldData());
+    field->ShallowCopy(contours->GetFieldData());
     data->SetFieldData(field);
-    recon::AddValue(field, "ROIName", region.first);
+    if (!shares.IsOwn(r))
+    {
+      LeaveOutCells(data);
+    }
+    recon::AddValue(data->GetFieldData(), "ROIName", name);
+    shares.Mark(r, data);
     output->SetPartition(block, 0, data);
-    output->GetMetaData(block)->Set(vtkCompositeDataSet::NAME(), region.first.c_str());
-    ++block;
+    output->GetMetaData(block)->Set(vtkCompositeDataSet::NAME(), name.c_str());
   }
 }
 }
@@ -240,11 +266,15 @@ int vtkContourRegions::FillInputPortInformation(int, vtkInformation* info)
 int vtkContourRegions::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
   auto* output = vtkPartitionedDataSetCollection::GetData(outputVector);
   return recon::RunOnAnything(this, { output },
     [&]
     {
+      // What the regions are follows from all of them, so every rank looks at all and keeps its own.
+      const auto brought =
+        recon::Ranks(inputVector[0])
+          .BringToAll(vtkDataObject::GetData(inputVector[0]), recon::SpreadBlocks::Append);
+      vtkDataObject* input = brought;
       std::vector<std::string> report = recon::GetReport(input);
       std::vector<Region> regions = BlockRegions(input);
       const bool isCollection = !vtkPolyData::SafeDownCast(input);
@@ -267,7 +297,7 @@ int vtkContourRegions::RequestData(
       {
         regions = SplitRegions(regions, this->SplitBy, report);
       }
-      FillOutput(regions, output);
+      FillOutput(regions, recon::RequestedPiece(outputVector), output);
       recon::SetReport(report, output);
     });
 }

@@ -12,6 +12,10 @@
  * which they come first. Points and cells stay as they are; each block has field data `ROIName`.
  *
  * Field data `Report` says what was decided.
+ *
+ * On an MPI server every rank looks at the contours of all ranks, and keeps the regions that are its
+ * share (Pieces.h). So this is also what brings contours together of which several ranks have a part, as
+ * Slice of a surface in pieces gives them.
  */
 #ifndef vtkContourRegions_h
 #define vtkContourRegions_h

@@ -3,8 +3,10 @@
 
 #include "Base/Text.h"
 #include "ContourConversion.h"
+#include "Ranks.h"
 #include "RunCore.h"
 #include "SliceBlocks.h"
+#include "SurfaceBlocks.h"
 
 #include "vtkDataObject.h"
 #include "vtkDemandDrivenPipeline.h"
@@ -25,6 +27,10 @@ void vtkContourSetAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
 recon::ContourSet vtkContourSetAlgorithm::ReadContours(
   vtkPolyData* input, bool parallel, recon::Monitor& monitor)
 {
+  if (!this->Spread.empty())
+  {
+    throw recon::Error(this->Spread);
+  }
   recon::ContourSetOptions options;
   options.Parallel = parallel;
   options.PlaneTolerance = this->PlaneTolerance;
@@ -59,6 +65,52 @@ recon::ContourSet vtkContourSetAlgorithm::ReadContoursOfSolid(
   return contours;
 }
 
+void vtkContourSetAlgorithm::LookAtRanks(vtkDataObject* input, const recon::Ranks& ranks)
+{
+  this->Spread.clear();
+  if (!ranks.AreSeveral())
+  {
+    return;
+  }
+  try
+  {
+    this->Spread = ranks.FindSpread(input);
+    const auto blocks = recon::ListPolyData(input);
+    const auto filled = std::count_if(blocks.begin(), blocks.end(),
+      [](const recon::NamedPolyData& block) { return block.Data->GetNumberOfCells() > 0; });
+    const auto flat = static_cast<int>(recon::FindFlatBlocks(input).size());
+    const std::vector<int> all = ranks.Gather({ static_cast<int>(filled), flat });
+    int slices = 0;
+    int holders = 0;
+    bool areSlices = true;
+    for (std::size_t r = 0; r < all.size(); r += 2)
+    {
+      slices += all[r + 1];
+      holders += all[r] > 0 ? 1 : 0;
+      areSlices = areSlices && all[r] == all[r + 1];
+    }
+    if (!areSlices)
+    {
+      this->Slices.clear();
+    }
+    else if (slices > 1 && holders > 1)
+    {
+      this->Spread = std::to_string(holders) + " of " + std::to_string(ranks.GetCount()) +
+        " ranks have slices of one object";
+    }
+  }
+  catch (const recon::Error& error)
+  {
+    this->Spread = error.what();
+    return;
+  }
+  if (!this->Spread.empty())
+  {
+    this->Spread +=
+      ", and contours are needed together: put Contour Regions before this, which brings them so.";
+  }
+}
+
 vtkTypeBool vtkContourSetAlgorithm::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -66,11 +118,23 @@ vtkTypeBool vtkContourSetAlgorithm::ProcessRequest(
   {
     vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
     // Asked for the collection first, and then for every block.
-    const bool isSlice =
-      std::find(this->Slices.begin(), this->Slices.end(), input) != this->Slices.end();
-    if (!isSlice)
+    const auto block = std::find(this->Pending.begin(), this->Pending.end(), input);
+    if (block != this->Pending.end())
+    {
+      this->Pending.erase(block);
+    }
+    else
     {
       this->Slices = recon::FindSliceBlocks(input);
+      this->LookAtRanks(input, recon::Ranks(inputVector[0]));
+      this->Pending.clear();
+      for (const recon::NamedPolyData& pending : recon::ListPolyData(input))
+      {
+        if (pending.Data != input)
+        {
+          this->Pending.push_back(pending.Data);
+        }
+      }
     }
   }
   return this->Superclass::ProcessRequest(request, inputVector, outputVector);

@@ -17,12 +17,14 @@
 #include "ContourFiltersModule.h" // for export macro
 #include "vtkContourAlgorithm.h"
 
+#include <string> // for std::string
 #include <vector> // for std::vector
 
 namespace recon
 {
 struct ContourSet;
 class Monitor;
+class Ranks;
 }
 
 class CONTOURFILTERS_EXPORT vtkContourSetAlgorithm : public vtkContourAlgorithm
@@ -123,7 +125,7 @@ protected:
    */
   recon::ContourSet ReadContoursOfSolid(vtkPolyData* input, bool parallel, recon::Monitor& monitor);
 
-  /// Where a collection is looked at as a whole, before its blocks come one by one.
+  /// Where an input is looked at as a whole, before the blocks of a collection come one by one.
   vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
@@ -131,6 +133,13 @@ private:
   vtkContourSetAlgorithm(const vtkContourSetAlgorithm&) = delete;
   void operator=(const vtkContourSetAlgorithm&) = delete;
 
+  /// What ranks have to agree about, before any of them works.
+  void LookAtRanks(vtkDataObject* input, const recon::Ranks& ranks);
+
+  /// Blocks of the collection that are still to come in.
+  std::vector<vtkPolyData*> Pending;
+  /// Why contours are not whole on this rank; empty where they are.
+  std::string Spread;
   /// Of the collection whose blocks come in; empty where they are regions of their own.
   std::vector<vtkPolyData*> Slices;
   int HoleRule = Automatic;

@@ -2,11 +2,13 @@
 #include "vtkSurfaceCertificate.h"
 
 #include "Base/SubMonitor.h"
+#include "CertificateTables.h"
 #include "ContourConversion.h"
 #include "FieldArrays.h"
 #include "JoinTable.h"
-#include "Mesh/CertificateText.h"
 #include "Mesh/MeshDefects.h"
+#include "Pieces.h"
+#include "Ranks.h"
 #include "RunCore.h"
 #include "SurfaceBlocks.h"
 #include "SurfaceSummaries.h"
@@ -17,9 +19,9 @@
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
 #include "vtkFieldData.h"
-#include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMultiProcessStream.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
@@ -30,6 +32,7 @@
 #include <algorithm>
 #include <cfloat>
 #include <cmath>
+#include <exception>
 #include <limits>
 #include <optional>
 #include <string>
@@ -45,6 +48,8 @@ constexpr double JudgingShare = 0.8; ///< of the time, beside the volume by the 
 struct Block
 {
   std::string Name;
+  int Number = 0;                       ///< among those of all ranks
+  bool IsOwn = true;                    ///< or another rank judges it
   vtkSmartPointer<vtkPolyData> Surface; ///< triangles, and after WriteOn with its certificate
   recon::SurfaceCertificate Certificate;
   std::size_t RepairedContours = 0;
@@ -93,7 +98,7 @@ double RoundingOf(vtkPolyData* surface)
 
 std::optional<recon::ContourSet> BuildContours(vtkPolyData* contours, std::size_t& repaired)
 {
-  if (!contours || contours->GetNumberOfCells() == 0)
+  if (!contours || contours->GetNumberOfCells() == 0 || !recon::NothingOf(contours).empty())
   {
     return std::nullopt;
   }
@@ -112,34 +117,13 @@ std::optional<recon::VolumeInterval> VolumeOf(
     recon::ToLoopSoup(contours).Soup, asRead, recon::CarriedMappingOf(contours), monitor);
 }
 
-/// A figure without meaning: NaN, or -1 for a count.
-double ValueOf(const recon::CertificateFigure& figure)
-{
-  const bool isReal = figure.Kind == recon::CertificateFigure::Real;
-  return figure.Value.value_or(isReal ? std::numeric_limits<double>::quiet_NaN() : -1);
-}
-
-vtkSmartPointer<vtkDataArray> MakeArrayFor(const recon::CertificateFigure& figure)
-{
-  switch (figure.Kind)
-  {
-    case recon::CertificateFigure::Flag:
-      return vtkSmartPointer<vtkIntArray>::New();
-    case recon::CertificateFigure::Count:
-      return vtkSmartPointer<vtkIdTypeArray>::New();
-    case recon::CertificateFigure::Real:
-      break;
-  }
-  return vtkSmartPointer<vtkDoubleArray>::New();
-}
-
 void AddFigures(vtkPolyData* surface, const std::vector<recon::CertificateFigure>& figures)
 {
   for (const auto& figure : figures)
   {
-    const auto array = MakeArrayFor(figure);
+    const auto array = recon::MakeArrayFor(figure);
     array->SetName(figure.Name.c_str());
-    array->InsertNextTuple1(ValueOf(figure));
+    array->InsertNextTuple1(recon::ValueOf(figure));
     surface->GetFieldData()->RemoveArray(figure.Name.c_str());
     surface->GetFieldData()->AddArray(array);
   }
@@ -215,12 +199,18 @@ void WriteOn(const Block& block)
   recon::AddValue(block.Surface->GetFieldData(), "CertificateJSON", recon::ToJson(certificate));
 }
 
-Block CertifyBlock(const recon::NamedPolyData& input, vtkPolyData* contours,
-  recon::CertificateOptions options, recon::Monitor& monitor)
+Block CertifyBlock(const recon::NamedPolyData& input, recon::BlockPlace place,
+  vtkPolyData* contours, recon::CertificateOptions options, recon::Monitor& monitor)
 {
   Block block;
   block.Name = input.Name;
+  block.Number = place.Number;
+  block.IsOwn = place.IsOwn;
   block.Surface = Triangulate(input.Data);
+  if (!block.IsOwn)
+  {
+    return block;
+  }
   recon::TriangleMesh mesh;
   if (block.Surface->GetNumberOfPolys() > 0)
   {
@@ -239,145 +229,66 @@ Block CertifyBlock(const recon::NamedPolyData& input, vtkPolyData* contours,
   return block;
 }
 
-/// Rows are appended to columns that the first of them makes; a table takes whole columns only.
-class TableWriter
+/// Whether the blocks that ranks have, all of them, are in millimetres.
+bool AreInMillimetres(const std::vector<Block>& blocks, const recon::Ranks& ranks)
 {
-public:
-  TableWriter(bool withBlocks, bool withContours)
-    : WithBlocks(withBlocks),
-      WithContours(withContours)
-  {
-  }
-
-  void Add(const Block& block, const std::string& name)
-  {
-    const recon::SurfaceCertificate none;
-    for (std::size_t c = 0; c < block.Certificate.Components.size(); ++c)
-    {
-      this->AddRow(name, std::to_string(c), block.Certificate.Components[c], none);
-    }
-    this->AddRow(name, "Total", block.Certificate.Total, block.Certificate);
-  }
-
-  void WriteTo(vtkTable* table) const
-  {
-    for (const auto& column : this->Columns)
-    {
-      table->AddColumn(column);
-    }
-  }
-
-private:
-  void AddRow(const std::string& block, const std::string& component,
-    const recon::ComponentCertificate& certificate, const recon::SurfaceCertificate& contours)
-  {
-    if (this->WithBlocks)
-    {
-      this->AddText("Block", block);
-    }
-    this->AddText("Component", component);
-    this->AddNumbers(recon::ListFigures(certificate));
-    if (this->WithContours)
-    {
-      this->AddNumbers(recon::ListContourFigures(contours));
-    }
-  }
-
-  vtkAbstractArray* Find(const std::string& name) const
-  {
-    const auto column = std::find_if(this->Columns.begin(), this->Columns.end(),
-      [&](vtkAbstractArray* array) { return array->GetName() == name; });
-    return column == this->Columns.end() ? nullptr : column->Get();
-  }
-
-  void Append(const std::string& name, vtkAbstractArray* column)
-  {
-    column->SetName(name.c_str());
-    this->Columns.emplace_back(column);
-  }
-
-  void AddText(const char* name, const std::string& text)
-  {
-    if (!this->Find(name))
-    {
-      this->Append(name, vtkNew<vtkStringArray>());
-    }
-    vtkStringArray::SafeDownCast(this->Find(name))->InsertNextValue(text);
-  }
-
-  void AddNumbers(const std::vector<recon::CertificateFigure>& figures)
-  {
-    for (const auto& figure : figures)
-    {
-      if (!this->Find(figure.Name))
-      {
-        this->Append(figure.Name, MakeArrayFor(figure));
-      }
-      vtkDataArray::SafeDownCast(this->Find(figure.Name))->InsertNextTuple1(ValueOf(figure));
-    }
-  }
-
-  std::vector<vtkSmartPointer<vtkAbstractArray>> Columns;
-  bool WithBlocks;
-  bool WithContours;
-};
-
-bool AreInMillimetres(const std::vector<Block>& blocks)
-{
-  return !blocks.empty() &&
-    std::all_of(blocks.begin(), blocks.end(),
-      [](const Block& block) { return recon::IsInMillimetres(block.Surface); });
+  const bool all = std::all_of(blocks.begin(), blocks.end(),
+    [](const Block& block) { return !block.IsOwn || recon::IsInMillimetres(block.Surface); });
+  const std::vector<int> ofRanks = ranks.Gather({ all ? 1 : 0 });
+  return std::all_of(ofRanks.begin(), ofRanks.end(), [](int yes) { return yes != 0; });
 }
 
-/// A name that no other column has.
-std::string ColumnName(const std::string& wanted, vtkTable* table)
+std::vector<recon::JudgedSurface> JudgeOwn(
+  const std::vector<Block>& blocks, bool millimetres, bool withContours)
 {
-  std::string name = wanted;
-  for (int more = 2; table->GetColumnByName(name.c_str()); ++more)
+  std::vector<recon::JudgedSurface> judged;
+  for (const Block& block : blocks)
   {
-    name = wanted + " (" + std::to_string(more) + ")";
-  }
-  return name;
-}
-
-std::string NameOf(const Block& block, std::size_t number)
-{
-  return block.Name.empty() ? std::to_string(number) : block.Name;
-}
-
-/// The table that people read: a row a figure, a column a surface.
-void FillReadingTable(
-  const std::vector<Block>& blocks, bool withBlocks, bool withContours, vtkTable* table)
-{
-  for (std::size_t b = 0; b < blocks.size(); ++b)
-  {
-    std::vector<std::string> figures;
-    std::vector<std::string> values;
-    for (auto& line :
-      recon::ListLines(blocks[b].Certificate, AreInMillimetres(blocks), withContours))
+    if (block.IsOwn)
     {
-      figures.push_back(std::move(line.Figure));
-      values.push_back(std::move(line.Value));
+      judged.push_back(
+        recon::Judge(block.Certificate, block.Name, block.Number, millimetres, withContours));
     }
-    if (b == 0)
-    {
-      table->AddColumn(recon::MakeArray("(figure)", figures));
-    }
-    const std::string name = withBlocks ? NameOf(blocks[b], b) : "Surface";
-    table->AddColumn(recon::MakeArray(ColumnName(name, table).c_str(), values));
   }
+  return judged;
 }
 
-std::string VerdictOf(const std::vector<Block>& blocks, bool withBlocks)
+/// What all ranks have judged, in the order of blocks, on the first one; nothing on the others.
+std::vector<recon::JudgedSurface> GatherJudged(
+  const std::vector<recon::JudgedSurface>& own, const recon::Ranks& ranks)
 {
-  std::string text;
-  for (std::size_t b = 0; b < blocks.size(); ++b)
+  if (!ranks.AreSeveral())
   {
-    text += text.empty() ? "" : "\n";
-    text += withBlocks ? NameOf(blocks[b], b) + ": " : "";
-    text += recon::ToVerdict(blocks[b].Certificate, AreInMillimetres(blocks));
+    return own;
   }
-  return text;
+  vtkMultiProcessStream sent;
+  recon::Send(own, sent);
+  std::vector<recon::JudgedSurface> all;
+  for (vtkMultiProcessStream& stream : ranks.GatherOnRoot(sent))
+  {
+    const std::vector<recon::JudgedSurface> judged = recon::Receive(stream);
+    all.insert(all.end(), judged.begin(), judged.end());
+  }
+  std::sort(all.begin(), all.end(),
+    [](const recon::JudgedSurface& a, const recon::JudgedSurface& b)
+    { return a.Number < b.Number; });
+  return all;
+}
+
+/// What is wrong with a surface of one rank is wrong for all: none may wait for another.
+void RethrowOnAll(std::exception_ptr failure, const recon::Ranks& ranks)
+{
+  const std::vector<int> failed = ranks.Gather({ failure ? 1 : 0 });
+  if (failure)
+  {
+    std::rethrow_exception(failure);
+  }
+  const auto first = std::find(failed.begin(), failed.end(), 1);
+  if (first != failed.end())
+  {
+    throw recon::Error("Rank " + std::to_string(first - failed.begin()) +
+      " could not judge a surface of its own, and says why.");
+  }
 }
 
 /// Put the certified surfaces where their originals are, in the order of ListPolyData.
@@ -473,11 +384,17 @@ int vtkSurfaceCertificate::RequestDataObject(
   return 1;
 }
 
+int vtkSurfaceCertificate::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  recon::AnswerPieces(outputVector);
+  return 1;
+}
+
 int vtkSurfaceCertificate::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
-  vtkDataObject* contours = vtkDataObject::GetData(inputVector[1]);
   vtkDataObject* output = vtkDataObject::GetData(outputVector, 0);
   vtkTable* table = vtkTable::GetData(outputVector, 1);
   vtkTable* components = vtkTable::GetData(outputVector, 2);
@@ -487,24 +404,37 @@ int vtkSurfaceCertificate::RequestData(
     {
       table->Initialize();
       components->Initialize();
-      const auto surfaces = recon::ListPolyData(input);
-      const auto matched = recon::MatchContours(surfaces, contours);
-      recon::CertificateOptions options;
-      options.Weld = this->Weld;
-      options.Threads = this->Threads;
-      const bool withBlocks = !vtkPolyData::SafeDownCast(input);
-      TableWriter writer(withBlocks, contours != nullptr);
+      const recon::Ranks ranks(inputVector[0]);
+      const auto places = ranks.FindPlaces(input);
+      const auto contours =
+        ranks.BringToAll(vtkDataObject::GetData(inputVector[1]), recon::SpreadBlocks::Append);
       std::vector<Block> blocks;
-      for (std::size_t s = 0; s < surfaces.size(); ++s)
+      std::exception_ptr failure;
+      try
       {
-        const double count = static_cast<double>(surfaces.size());
-        vtkContourMonitor monitor(this, s / count, (s + 1) / count);
-        blocks.push_back(CertifyBlock(surfaces[s], matched[s], options, monitor));
-        writer.Add(blocks.back(), NameOf(blocks.back(), s));
+        const auto surfaces = recon::ListPolyData(input);
+        const auto matched = recon::MatchContours(surfaces, contours);
+        recon::CertificateOptions options;
+        options.Weld = this->Weld;
+        options.Threads = this->Threads;
+        for (std::size_t s = 0; s < surfaces.size(); ++s)
+        {
+          const double count = static_cast<double>(surfaces.size());
+          vtkContourMonitor monitor(this, s / count, (s + 1) / count);
+          blocks.push_back(CertifyBlock(surfaces[s], places[s], matched[s], options, monitor));
+        }
       }
+      catch (...)
+      {
+        failure = std::current_exception();
+      }
+      RethrowOnAll(failure, ranks);
       FillOutput(input, blocks, output);
-      FillReadingTable(blocks, withBlocks, contours != nullptr, table);
-      writer.WriteTo(components);
-      this->Verdict = VerdictOf(blocks, withBlocks);
+      const bool withBlocks = !vtkPolyData::SafeDownCast(input);
+      const auto judged =
+        GatherJudged(JudgeOwn(blocks, AreInMillimetres(blocks, ranks), contours != nullptr), ranks);
+      recon::FillReadingTable(judged, withBlocks, table);
+      recon::FillComponentTable(judged, withBlocks, components);
+      this->Verdict = recon::VerdictOf(judged, withBlocks);
     });
 }

@@ -50,6 +50,9 @@
  * `Block` (name, or number where it has none; only of a composite), `Component` ("0", "1", ...,
  * "Total"), and the figures above.
  *
+ * On an MPI server each rank judges the surfaces that it has; both tables and the verdict, of all
+ * surfaces, are on the first rank.
+ *
  * An empty surface gives a table that says so. Errors (a sentence through vtkErrorMacro, and no
  * output): a coordinate that is not finite, contours of which none is usable, blocks of contours
  * that fit no surface.
@@ -98,6 +101,8 @@ protected:
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestDataObject(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;

@@ -4,6 +4,7 @@
 #include "BRep/BRepParser.h"
 #include "ContourConversion.h"
 #include "FieldArrays.h"
+#include "Pieces.h"
 #include "RunCore.h"
 #include "vtkContourMonitor.h"
 
@@ -71,6 +72,10 @@ int vtkBRepReader::CanReadFile(const char* fileName)
 int vtkBRepReader::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
+  if (recon::RequestedPiece(outputVector).Number > 0)
+  {
+    return 1; // all is in the first piece
+  }
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   this->SetErrorCode(recon::RunOnFile(this, this->FileName, "a boundary representation (.brep)",
     vtkErrorCode::FileFormatError, { output },

@@ -6,7 +6,6 @@
 #include "BRep/BRepFormatter.h"
 #include "Common/RegionFiles.h"
 #include "ContourConversion.h"
-#include "RunCore.h"
 #include "SurfaceBlocks.h"
 #include "vtkContourMonitor.h"
 
@@ -115,8 +114,8 @@ void vtkBRepWriter::WriteSurface(
 
 void vtkBRepWriter::WriteRegions()
 {
-  const std::vector<recon::NamedPolyData> regions = recon::ListSurfaces(this->GetInput());
-  const std::vector<vtkPolyData*> contours = recon::MatchContours(regions, this->GetInput(1));
+  const std::vector<recon::NamedPolyData> regions = recon::ListSurfaces(this->GetWhole());
+  const std::vector<vtkPolyData*> contours = recon::MatchContours(regions, this->GetWhole(1));
   const auto count = static_cast<double>(regions.size());
   recon::WriteRegionFiles(recon::NamesOf(regions), this->FileName,
     [&](std::size_t r, const std::string& file)
@@ -127,24 +126,19 @@ void vtkBRepWriter::WriteRegions()
     });
 }
 
-void vtkBRepWriter::WriteData()
+void vtkBRepWriter::WriteWhole()
 {
-  this->SetErrorCode(recon::RunOnFile(this, this->FileName, "the file to write (.brep)",
-    vtkErrorCode::CannotOpenFileError, {},
-    [&]
-    {
-      if (vtkDataObjectTree::SafeDownCast(this->GetInput()))
-      {
-        this->WriteRegions();
-        return;
-      }
-      vtkPolyData* surface = vtkPolyData::SafeDownCast(this->GetInput());
-      if (!surface)
-      {
-        throw recon::Error("There is no surface to write: connect one to the writer.");
-      }
-      vtkContourMonitor monitor(this);
-      this->WriteSurface(
-        surface, vtkPolyData::SafeDownCast(this->GetInput(1)), this->FileName, monitor);
-    }));
+  if (vtkDataObjectTree::SafeDownCast(this->GetWhole()))
+  {
+    this->WriteRegions();
+    return;
+  }
+  vtkPolyData* surface = vtkPolyData::SafeDownCast(this->GetWhole());
+  if (!surface)
+  {
+    throw recon::Error("There is no surface to write: connect one to the writer.");
+  }
+  vtkContourMonitor monitor(this);
+  this->WriteSurface(
+    surface, vtkPolyData::SafeDownCast(this->GetWhole(1)), this->FileName, monitor);
 }

@@ -32,7 +32,7 @@
 #define vtkBRepWriter_h
 
 #include "BRepReadersModule.h" // for the export macro
-#include "vtkWriter.h"
+#include "vtkContourWriter.h"
 
 #include <string> // for std::string
 
@@ -43,11 +43,11 @@ namespace recon
 class Monitor;
 }
 
-class BREPREADERS_EXPORT vtkBRepWriter : public vtkWriter
+class BREPREADERS_EXPORT vtkBRepWriter : public vtkContourWriter
 {
 public:
   static vtkBRepWriter* New();
-  vtkTypeMacro(vtkBRepWriter, vtkWriter);
+  vtkTypeMacro(vtkBRepWriter, vtkContourWriter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -63,7 +63,10 @@ protected:
   ~vtkBRepWriter() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  void WriteData() override;
+  const char* GetTarget() override { return this->FileName; }
+  const char* GetTargetKind() override { return "the file to write (.brep)"; }
+  bool HoldsSurfaces() override { return true; }
+  void WriteWhole() override;
 
 private:
   void WriteSurface(vtkPolyData* surface, vtkPolyData* contours, const std::string& fileName,

@@ -4,6 +4,7 @@
 #include "ContourConversion.h"
 #include "CurveNetwork/CurveNetworkParser.h"
 #include "FieldArrays.h"
+#include "Pieces.h"
 #include "RunCore.h"
 #include "vtkContourAlgorithm.h"
 #include "vtkContourMonitor.h"
@@ -53,9 +54,11 @@ public:
 
 namespace
 {
-void FillMaterial(const recon::MaterialContours& material, vtkPolyData* output)
+/// soup: the material's, or none where the material is in another piece.
+void FillMaterial(
+  const recon::MaterialContours& material, const recon::LoopSoup& soup, vtkPolyData* output)
 {
-  const std::vector<int> chains = recon::ToPolyData(material.Soup, output);
+  const std::vector<int> chains = recon::ToPolyData(soup, output);
   std::vector<int> planes;
   for (const int chain : chains)
   {
@@ -65,17 +68,25 @@ void FillMaterial(const recon::MaterialContours& material, vtkPolyData* output)
   recon::AddValue(output->GetFieldData(), "Material", material.Label);
 }
 
-void FillMaterials(const recon::CurveNetwork& network, vtkPartitionedDataSetCollection* output)
+void FillMaterials(
+  const recon::CurveNetwork& network, recon::Piece piece, vtkPartitionedDataSetCollection* output)
 {
-  unsigned int block = 0;
+  std::vector<std::size_t> weights;
   for (const recon::MaterialContours& material : network.Materials)
   {
+    weights.push_back(material.Soup.Points.size());
+  }
+  const recon::RegionShares shares(weights, piece);
+  for (std::size_t i = 0; i < weights.size(); ++i)
+  {
+    const recon::MaterialContours& material = network.Materials[i];
+    const auto block = static_cast<unsigned int>(i);
     vtkNew<vtkPolyData> contours;
-    FillMaterial(material, contours);
+    FillMaterial(material, shares.IsOwn(i) ? material.Soup : recon::LoopSoup(), contours);
+    shares.Mark(i, contours);
     output->SetPartition(block, 0, contours);
     const std::string name = "Material " + std::to_string(material.Label);
     output->GetMetaData(block)->Set(vtkCompositeDataSet::NAME(), name.c_str());
-    ++block;
   }
 }
 }
@@ -136,6 +147,13 @@ int vtkCurveNetworkReader::RequestDataObject(
   return 1;
 }
 
+int vtkCurveNetworkReader::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  recon::AnswerPieces(outputVector);
+  return 1;
+}
+
 int vtkCurveNetworkReader::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
@@ -166,13 +184,19 @@ int vtkCurveNetworkReader::RequestData(
     this->SetErrorCode(vtkErrorCode::FileFormatError);
     return 1;
   }
+  const recon::Piece piece = recon::RequestedPiece(outputVector);
+  if (polyData && piece.Number > 0)
+  {
+    return 1; // the one material is in the first piece
+  }
   if (polyData)
   {
-    FillMaterial(network->Materials.front(), polyData);
+    const recon::MaterialContours& material = network->Materials.front();
+    FillMaterial(material, material.Soup, polyData);
   }
   else
   {
-    FillMaterials(*network, collection);
+    FillMaterials(*network, piece, collection);
   }
   recon::SetReport(network->Report, output);
   return 1;

@@ -3,6 +3,7 @@
 
 #include "ContourConversion.h"
 #include "DICOM/ReadReferenceSlices.h"
+#include "Pieces.h"
 #include "RunCore.h"
 #include "vtkContourMonitor.h"
 
@@ -83,6 +84,10 @@ void vtkDICOMSlicePlanes::PrintSelf(ostream& os, vtkIndent indent)
 int vtkDICOMSlicePlanes::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
+  if (recon::RequestedPiece(outputVector).Number > 0)
+  {
+    return 1; // all is in the first piece
+  }
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   this->SetErrorCode(recon::RunOnFile(this, this->FileName,
     "an RT structure set, or to an image of the series (.dcm)", vtkErrorCode::FileFormatError,

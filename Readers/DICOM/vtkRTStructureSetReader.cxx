@@ -3,6 +3,7 @@
 
 #include "ContourConversion.h"
 #include "DICOM/StructureSetFile.h"
+#include "Pieces.h"
 #include "RunCore.h"
 #include "vtkContourAlgorithm.h"
 #include "vtkContourMonitor.h"
@@ -74,6 +75,16 @@ void FillBlock(const recon::StructureSetContours& contours, vtkPolyData* block)
   block->GetCellData()->AddArray(types);
   block->GetCellData()->AddArray(numbers);
   recon::SetReport(contours.File.Report, block);
+}
+
+std::vector<std::size_t> WeightsOf(const std::vector<recon::StructureSetContours>& contours)
+{
+  std::vector<std::size_t> weights;
+  for (const recon::StructureSetContours& region : contours)
+  {
+    weights.push_back(region.File.Soup.Points.size());
+  }
+  return weights;
 }
 }
 
@@ -154,8 +165,9 @@ void vtkRTStructureSetReader::UpdateSelection(const std::vector<std::string>& na
 }
 
 int vtkRTStructureSetReader::RequestInformation(
-  vtkInformation*, vtkInformationVector**, vtkInformationVector*)
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
+  recon::AnswerPieces(outputVector);
   // What is wrong with the file RequestData meets as well, and says once.
   if (!this->FileName)
   {
@@ -178,6 +190,20 @@ int vtkRTStructureSetReader::RequestInformation(
   return 1;
 }
 
+std::vector<std::size_t> vtkRTStructureSetReader::WantedOf(
+  const std::vector<recon::StructureSetROI>& rois)
+{
+  std::vector<std::size_t> wanted;
+  for (std::size_t i = 0; i < rois.size(); ++i)
+  {
+    if (this->ROISelection->ArrayIsEnabled(rois[i].Name.c_str()))
+    {
+      wanted.push_back(i);
+    }
+  }
+  return wanted;
+}
+
 int vtkRTStructureSetReader::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
@@ -193,25 +219,29 @@ int vtkRTStructureSetReader::RequestData(
       {
         report.push_back("The selected ROI \"" + name + "\" is not in the file.");
       }
-      unsigned int block = 0;
-      for (std::size_t i = 0; i < rois.size(); ++i)
+      const std::vector<std::size_t> wanted = this->WantedOf(rois);
+      std::vector<recon::StructureSetContours> contours;
+      for (std::size_t i = 0; i < wanted.size(); ++i)
       {
-        if (!this->ROISelection->ArrayIsEnabled(rois[i].Name.c_str()))
-        {
-          continue;
-        }
-        const auto count = static_cast<double>(rois.size());
+        const auto count = static_cast<double>(wanted.size());
         vtkContourMonitor monitor(
           this, static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
-        const recon::StructureSetContours contours =
-          file.ReadContours(static_cast<int>(i), monitor);
+        contours.push_back(file.ReadContours(static_cast<int>(wanted[i]), monitor));
+        const std::vector<std::string>& odd = contours.back().File.Report;
+        report.insert(report.end(), odd.begin(), odd.end());
+      }
+      const recon::RegionShares shares(WeightsOf(contours), recon::RequestedPiece(outputVector));
+      for (std::size_t i = 0; i < wanted.size(); ++i)
+      {
+        const recon::StructureSetROI& roi = rois[wanted[i]];
+        const auto block = static_cast<unsigned int>(i);
         vtkNew<vtkPolyData> contourData;
-        FillBlock(contours, contourData);
-        AddROIFieldData(rois[i], contourData->GetFieldData());
+        FillBlock(shares.IsOwn(i) ? contours[i] : recon::StructureSetContours(), contourData);
+        contours[i] = recon::StructureSetContours(); // they take as much memory as the block
+        AddROIFieldData(roi, contourData->GetFieldData());
+        shares.Mark(i, contourData);
         output->SetPartition(block, 0, contourData);
-        output->GetMetaData(block)->Set(vtkCompositeDataSet::NAME(), rois[i].Name.c_str());
-        report.insert(report.end(), contours.File.Report.begin(), contours.File.Report.end());
-        ++block;
+        output->GetMetaData(block)->Set(vtkCompositeDataSet::NAME(), roi.Name.c_str());
       }
       recon::SetReport(report, output);
     }));

@@ -24,6 +24,9 @@
  * in `Report`. Names are UTF-8, whatever the character sets of the file. Files without preamble and
  * of implicit or explicit VR are read, whatever their name. A file that is damaged, truncated or of
  * another DICOM class gives one error that names the tag, and an empty output.
+ *
+ * Regions are spread over the pieces that are asked for (Pieces.h): `Report` of the collection is
+ * that of all regions in every piece.
  */
 #ifndef vtkRTStructureSetReader_h
 #define vtkRTStructureSetReader_h
@@ -32,10 +35,16 @@
 #include "vtkNew.h"             // for vtkNew
 #include "vtkPartitionedDataSetCollectionAlgorithm.h"
 
-#include <string> // for std::string
-#include <vector> // for std::vector
+#include <cstddef> // for std::size_t
+#include <string>  // for std::string
+#include <vector>  // for std::vector
 
 class vtkDataArraySelection;
+
+namespace recon
+{
+struct StructureSetROI;
+}
 
 class DICOMREADERS_EXPORT vtkRTStructureSetReader : public vtkPartitionedDataSetCollectionAlgorithm
 {
@@ -82,6 +91,7 @@ private:
   void operator=(const vtkRTStructureSetReader&) = delete;
 
   void UpdateSelection(const std::vector<std::string>& names);
+  std::vector<std::size_t> WantedOf(const std::vector<recon::StructureSetROI>& rois);
 
   char* FileName = nullptr;
   vtkNew<vtkDataArraySelection> ROISelection;

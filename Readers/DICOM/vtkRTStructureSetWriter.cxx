@@ -5,7 +5,6 @@
 #include "DICOM/ROIContours.h"
 #include "DICOM/StructureSetFormatter.h"
 #include "FieldArrays.h"
-#include "RunCore.h"
 #include "vtkContourMonitor.h"
 
 #include "vtkCellArray.h"
@@ -203,12 +202,12 @@ recon::StructureSetOptions OptionsOf(vtkRTStructureSetWriter* writer)
   return options;
 }
 
-std::vector<recon::WrittenROI> ROIsOf(
-  vtkRTStructureSetWriter* writer, std::vector<std::string>& report, recon::Monitor& monitor)
+std::vector<recon::WrittenROI> ROIsOf(vtkRTStructureSetWriter* writer, vtkDataObject* input,
+  std::vector<std::string>& report, recon::Monitor& monitor)
 {
   const std::string name = TextOrEmpty(writer->GetROIName());
   const std::string type = TextOrEmpty(writer->GetROIType());
-  const std::vector<Block> blocks = BlocksOf(writer->GetInput());
+  const std::vector<Block> blocks = BlocksOf(input);
   if (!name.empty() && blocks.size() > 1)
   {
     throw recon::Error("ROIName names one ROI, and the input has " + std::to_string(blocks.size()) +
@@ -267,21 +266,16 @@ int vtkRTStructureSetWriter::FillInputPortInformation(int, vtkInformation* info)
   return 1;
 }
 
-void vtkRTStructureSetWriter::WriteData()
+void vtkRTStructureSetWriter::WriteWhole()
 {
-  this->SetErrorCode(recon::RunOnFile(this, this->FileName, "the RT structure set to write (.dcm)",
-    vtkErrorCode::CannotOpenFileError, {},
-    [&]
-    {
-      vtkContourMonitor monitor(this);
-      std::vector<std::string> report;
-      std::vector<recon::WrittenROI> rois = ROIsOf(this, report, monitor);
-      const std::vector<std::string> more =
-        recon::WriteStructureSet(this->FileName, std::move(rois), OptionsOf(this), monitor);
-      report.insert(report.end(), more.begin(), more.end());
-      for (const std::string& line : report)
-      {
-        vtkWarningMacro(<< line);
-      }
-    }));
+  vtkContourMonitor monitor(this);
+  std::vector<std::string> report;
+  std::vector<recon::WrittenROI> rois = ROIsOf(this, this->GetWhole(), report, monitor);
+  const std::vector<std::string> more =
+    recon::WriteStructureSet(this->FileName, std::move(rois), OptionsOf(this), monitor);
+  report.insert(report.end(), more.begin(), more.end());
+  for (const std::string& line : report)
+  {
+    vtkWarningMacro(<< line);
+  }
 }

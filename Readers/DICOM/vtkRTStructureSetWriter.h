@@ -42,13 +42,13 @@
 #define vtkRTStructureSetWriter_h
 
 #include "DICOMReadersModule.h" // for the export macro
-#include "vtkWriter.h"
+#include "vtkContourWriter.h"
 
-class DICOMREADERS_EXPORT vtkRTStructureSetWriter : public vtkWriter
+class DICOMREADERS_EXPORT vtkRTStructureSetWriter : public vtkContourWriter
 {
 public:
   static vtkRTStructureSetWriter* New();
-  vtkTypeMacro(vtkRTStructureSetWriter, vtkWriter);
+  vtkTypeMacro(vtkRTStructureSetWriter, vtkContourWriter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum HolesAs
@@ -152,7 +152,9 @@ protected:
   ~vtkRTStructureSetWriter() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  void WriteData() override;
+  const char* GetTarget() override { return this->FileName; }
+  const char* GetTargetKind() override { return "the RT structure set to write (.dcm)"; }
+  void WriteWhole() override;
 
 private:
   vtkRTStructureSetWriter(const vtkRTStructureSetWriter&) = delete;

@@ -3,6 +3,7 @@
 
 #include "ContourConversion.h"
 #include "NUAGES/NUAGESParser.h"
+#include "Pieces.h"
 #include "RunCore.h"
 #include "vtkContourMonitor.h"
 
@@ -38,6 +39,10 @@ int vtkNUAGESReader::CanReadFile(const char* fileName)
 int vtkNUAGESReader::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
+  if (recon::RequestedPiece(outputVector).Number > 0)
+  {
+    return 1; // all is in the first piece
+  }
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   this->SetErrorCode(recon::RunOnFile(this, this->FileName, "a NUAGES file (.cnt)",
     vtkErrorCode::FileFormatError, { output },

@@ -4,7 +4,6 @@
 #include "Common/ClosedLoops.h"
 #include "ContourConversion.h"
 #include "NUAGES/NUAGESFormatter.h"
-#include "RunCore.h"
 #include "vtkContourMonitor.h"
 
 #include "vtkCellData.h"
@@ -93,34 +92,28 @@ int vtkNUAGESWriter::FillInputPortInformation(int, vtkInformation* info)
   return 1;
 }
 
-void vtkNUAGESWriter::WriteData()
+void vtkNUAGESWriter::WriteWhole()
 {
-  this->SetErrorCode(recon::RunOnFile(this, this->FileName, "the NUAGES file to write (.cnt)",
-    vtkErrorCode::CannotOpenFileError, {},
-    [&]
-    {
-      vtkContourMonitor monitor(this);
-      vtkPolyData* input = ContoursOf(this->GetInput());
-      recon::ConvertedLoops converted = recon::ToLoopSoup(input);
-      std::vector<std::string> report = std::move(converted.Report);
-      int looseVertices = 0;
-      recon::LoopSoup closed =
-        recon::CloseLoops(std::move(converted.Soup), "NUAGES files hold", looseVertices, monitor);
-      if (closed.Chains.empty())
-      {
-        throw recon::Error("There are no closed contours to write.");
-      }
-      if (looseVertices > 0)
-      {
-        report.push_back(
-          std::to_string(looseVertices) + " loose vertices are no contours; left out.");
-      }
-      recon::OrientByDepth(DepthsOf(input), closed);
-      const std::vector<std::string> moved = recon::WriteNUAGES(this->FileName, closed, monitor);
-      report.insert(report.end(), moved.begin(), moved.end());
-      for (const std::string& line : report)
-      {
-        vtkWarningMacro(<< line);
-      }
-    }));
+  vtkContourMonitor monitor(this);
+  vtkPolyData* input = ContoursOf(this->GetWhole());
+  recon::ConvertedLoops converted = recon::ToLoopSoup(input);
+  std::vector<std::string> report = std::move(converted.Report);
+  int looseVertices = 0;
+  recon::LoopSoup closed =
+    recon::CloseLoops(std::move(converted.Soup), "NUAGES files hold", looseVertices, monitor);
+  if (closed.Chains.empty())
+  {
+    throw recon::Error("There are no closed contours to write.");
+  }
+  if (looseVertices > 0)
+  {
+    report.push_back(std::to_string(looseVertices) + " loose vertices are no contours; left out.");
+  }
+  recon::OrientByDepth(DepthsOf(input), closed);
+  const std::vector<std::string> moved = recon::WriteNUAGES(this->FileName, closed, monitor);
+  report.insert(report.end(), moved.begin(), moved.end());
+  for (const std::string& line : report)
+  {
+    vtkWarningMacro(<< line);
+  }
 }

@@ -23,15 +23,15 @@
 #define vtkNUAGESWriter_h
 
 #include "NUAGESReadersModule.h" // for the export macro
-#include "vtkWriter.h"
+#include "vtkContourWriter.h"
 
 class vtkPolyData;
 
-class NUAGESREADERS_EXPORT vtkNUAGESWriter : public vtkWriter
+class NUAGESREADERS_EXPORT vtkNUAGESWriter : public vtkContourWriter
 {
 public:
   static vtkNUAGESWriter* New();
-  vtkTypeMacro(vtkNUAGESWriter, vtkWriter);
+  vtkTypeMacro(vtkNUAGESWriter, vtkContourWriter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -47,7 +47,9 @@ protected:
   ~vtkNUAGESWriter() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  void WriteData() override;
+  const char* GetTarget() override { return this->FileName; }
+  const char* GetTargetKind() override { return "the NUAGES file to write (.cnt)"; }
+  void WriteWhole() override;
 
 private:
   vtkNUAGESWriter(const vtkNUAGESWriter&) = delete;

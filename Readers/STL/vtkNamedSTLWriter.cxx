@@ -3,11 +3,11 @@
 
 #include "Common/RegionFiles.h"
 #include "Common/ReplacedFile.h"
-#include "RunCore.h"
 #include "SurfaceBlocks.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
+#include "vtkErrorCode.h"
 #include "vtkInformation.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -126,18 +126,13 @@ void vtkNamedSTLWriter::WriteSurface(
   }
 }
 
-void vtkNamedSTLWriter::WriteData()
+void vtkNamedSTLWriter::WriteWhole()
 {
-  this->SetErrorCode(recon::RunOnFile(this, this->FileName, "the file to write (.stl)",
-    vtkErrorCode::CannotOpenFileError, {},
-    [&]
+  const std::vector<recon::NamedPolyData> regions = recon::ListSurfaces(this->GetWhole());
+  recon::WriteRegionFiles(recon::NamesOf(regions), this->FileName,
+    [&](std::size_t r, const std::string& file)
     {
-      const std::vector<recon::NamedPolyData> regions = recon::ListSurfaces(this->GetInput());
-      recon::WriteRegionFiles(recon::NamesOf(regions), this->FileName,
-        [&](std::size_t r, const std::string& file)
-        {
-          this->WriteSurface(regions[r].Data, regions[r].Name, file);
-          this->UpdateProgress(static_cast<double>(r + 1) / static_cast<double>(regions.size()));
-        });
-    }));
+      this->WriteSurface(regions[r].Data, regions[r].Name, file);
+      this->UpdateProgress(static_cast<double>(r + 1) / static_cast<double>(regions.size()));
+    });
 }

@@ -17,17 +17,17 @@
 #define vtkNamedSTLWriter_h
 
 #include "STLWritersModule.h" // for the export macro
-#include "vtkWriter.h"
+#include "vtkContourWriter.h"
 
 #include <string> // for std::string
 
 class vtkPolyData;
 
-class STLWRITERS_EXPORT vtkNamedSTLWriter : public vtkWriter
+class STLWRITERS_EXPORT vtkNamedSTLWriter : public vtkContourWriter
 {
 public:
   static vtkNamedSTLWriter* New();
-  vtkTypeMacro(vtkNamedSTLWriter, vtkWriter);
+  vtkTypeMacro(vtkNamedSTLWriter, vtkContourWriter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -44,7 +44,10 @@ protected:
   ~vtkNamedSTLWriter() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  void WriteData() override;
+  const char* GetTarget() override { return this->FileName; }
+  const char* GetTargetKind() override { return "the file to write (.stl)"; }
+  bool HoldsSurfaces() override { return true; }
+  void WriteWhole() override;
 
 private:
   void WriteSurface(vtkPolyData* surface, const std::string& name, const std::string& fileName);

@@ -4,7 +4,6 @@
 #include "Common/ClosedLoops.h"
 #include "ContourConversion.h"
 #include "FieldArrays.h"
-#include "RunCore.h"
 #include "SurfaceBlocks.h"
 #include "Table/ContourTableFormatter.h"
 #include "vtkContourMonitor.h"
@@ -109,17 +108,12 @@ int vtkContourTableWriter::FillInputPortInformation(int, vtkInformation* info)
   return 1;
 }
 
-void vtkContourTableWriter::WriteData()
+void vtkContourTableWriter::WriteWhole()
 {
-  this->SetErrorCode(recon::RunOnFile(this, this->FileName, "the table to write (.csv)",
-    vtkErrorCode::CannotOpenFileError, {},
-    [&]
-    {
-      vtkContourMonitor monitor(this);
-      const recon::TracedFile file = ToTracedFile(this->GetInput(), monitor);
-      for (const std::string& line : recon::WriteContourTable(this->FileName, file, monitor))
-      {
-        vtkWarningMacro(<< line);
-      }
-    }));
+  vtkContourMonitor monitor(this);
+  const recon::TracedFile file = ToTracedFile(this->GetWhole(), monitor);
+  for (const std::string& line : recon::WriteContourTable(this->FileName, file, monitor))
+  {
+    vtkWarningMacro(<< line);
+  }
 }

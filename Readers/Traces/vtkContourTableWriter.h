@@ -14,13 +14,13 @@
 #define vtkContourTableWriter_h
 
 #include "TraceReadersModule.h" // for the export macro
-#include "vtkWriter.h"
+#include "vtkContourWriter.h"
 
-class TRACEREADERS_EXPORT vtkContourTableWriter : public vtkWriter
+class TRACEREADERS_EXPORT vtkContourTableWriter : public vtkContourWriter
 {
 public:
   static vtkContourTableWriter* New();
-  vtkTypeMacro(vtkContourTableWriter, vtkWriter);
+  vtkTypeMacro(vtkContourTableWriter, vtkContourWriter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -36,7 +36,9 @@ protected:
   ~vtkContourTableWriter() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  void WriteData() override;
+  const char* GetTarget() override { return this->FileName; }
+  const char* GetTargetKind() override { return "the table to write (.csv)"; }
+  void WriteWhole() override;
 
 private:
   vtkContourTableWriter(const vtkContourTableWriter&) = delete;

@@ -4,6 +4,7 @@
 #include "Common/TracedFile.h"
 #include "ContourConversion.h"
 #include "FieldArrays.h"
+#include "Pieces.h"
 #include "RunCore.h"
 #include "vtkContourAlgorithm.h"
 #include "vtkContourMonitor.h"
@@ -32,17 +33,18 @@ std::string TypeOf(const recon::LoopSoup::Chain& chain)
   return chain.Points.size() == 1 ? "POINT" : chain.Closed ? "CLOSED_PLANAR" : "OPEN_PLANAR";
 }
 
-void FillBlock(
-  const recon::TracedObject& object, int number, const std::string& unit, vtkPolyData* block)
+/// soup: the object's, or none where the object is in another piece.
+void FillBlock(const recon::TracedObject& object, const recon::LoopSoup& soup, int number,
+  const std::string& unit, vtkPolyData* block)
 {
-  const std::vector<int> chains = recon::ToPolyData(object.Soup, block);
+  const std::vector<int> chains = recon::ToPolyData(soup, block);
   std::vector<std::string> types;
   std::vector<std::string> names;
   std::vector<int> slices;
   for (const int chain : chains)
   {
     const auto i = static_cast<std::size_t>(chain);
-    types.push_back(TypeOf(object.Soup.Chains[i]));
+    types.push_back(TypeOf(soup.Chains[i]));
     slices.push_back(object.Slices[i]);
     names.push_back(i < object.Names.size() ? object.Names[i] : std::string());
   }
@@ -139,8 +141,9 @@ recon::TracedFile vtkTracedObjectsReader::ReadObjects(
 }
 
 int vtkTracedObjectsReader::RequestInformation(
-  vtkInformation*, vtkInformationVector**, vtkInformationVector*)
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
+  recon::AnswerPieces(outputVector);
   // What is wrong with the file RequestData meets as well, and says once.
   this->Listed.reset();
   const recon::FileOutcome outcome =
@@ -176,23 +179,31 @@ recon::TracedFile vtkTracedObjectsReader::TakeListed()
   return this->ReadObjects(this->FileNames, monitor);
 }
 
-void vtkTracedObjectsReader::FillOutput(const recon::TracedFile& file, vtkDataObject* data)
+void vtkTracedObjectsReader::FillOutput(
+  const recon::TracedFile& file, recon::Piece piece, vtkDataObject* data)
 {
   auto* output = vtkPartitionedDataSetCollection::SafeDownCast(data);
-  unsigned int block = 0;
-  int number = 0;
-  for (const recon::TracedObject& object : file.Objects)
+  std::vector<std::size_t> wanted;
+  std::vector<std::size_t> weights;
+  for (std::size_t i = 0; i < file.Objects.size(); ++i)
   {
-    ++number;
-    if (!this->ObjectSelection->ArrayIsEnabled(object.Name.c_str()))
+    if (this->ObjectSelection->ArrayIsEnabled(file.Objects[i].Name.c_str()))
     {
-      continue;
+      wanted.push_back(i);
+      weights.push_back(file.Objects[i].Soup.Points.size());
     }
+  }
+  const recon::RegionShares shares(weights, piece);
+  for (std::size_t i = 0; i < wanted.size(); ++i)
+  {
+    const recon::TracedObject& object = file.Objects[wanted[i]];
+    const auto block = static_cast<unsigned int>(i);
     vtkNew<vtkPolyData> contours;
-    FillBlock(object, number, file.LengthUnit, contours);
+    FillBlock(object, shares.IsOwn(i) ? object.Soup : recon::LoopSoup(),
+      static_cast<int>(wanted[i]) + 1, file.LengthUnit, contours);
+    shares.Mark(i, contours);
     output->SetPartition(block, 0, contours);
     output->GetMetaData(block)->Set(vtkCompositeDataSet::NAME(), object.Name.c_str());
-    ++block;
   }
   recon::AddValue(output->GetFieldData(), "LengthUnit", file.LengthUnit);
   recon::SetReport(file.Report, output);
@@ -202,8 +213,8 @@ int vtkTracedObjectsReader::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   vtkDataObject* output = vtkDataObject::GetData(outputVector);
-  this->ErrorCode =
-    recon::RunOnFile(this, this->GetFileName(), this->GetKind(), vtkErrorCode::FileFormatError,
-      { output }, [&] { this->FillOutput(this->TakeListed(), output); });
+  this->ErrorCode = recon::RunOnFile(this, this->GetFileName(), this->GetKind(),
+    vtkErrorCode::FileFormatError, { output },
+    [&] { this->FillOutput(this->TakeListed(), recon::RequestedPiece(outputVector), output); });
   return 1;
 }

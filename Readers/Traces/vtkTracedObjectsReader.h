@@ -29,6 +29,7 @@ class vtkDataArraySelection;
 namespace recon
 {
 class Monitor;
+struct Piece;
 struct TracedFile;
 }
 
@@ -96,7 +97,7 @@ private:
   void operator=(const vtkTracedObjectsReader&) = delete;
 
   recon::TracedFile TakeListed();
-  void FillOutput(const recon::TracedFile& file, vtkDataObject* output);
+  void FillOutput(const recon::TracedFile& file, recon::Piece piece, vtkDataObject* output);
 
   std::vector<std::string> FileNames;
   vtkNew<vtkDataArraySelection> ObjectSelection;

@@ -2,14 +2,18 @@
 #include "Mesh/SectionComparison.h"
 
 #include "Base/Parallel.h"
+#include "Base/PointHash.h"
 #include "Base/Predicates.h"
 #include "Mesh/MeshTopology.h"
 #include "Mesh/TriangleTree.h"
 #include "Planar/PlanarDifference.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <unordered_map>
 
 namespace recon
 {
@@ -250,16 +254,74 @@ struct DistanceSums
   Point3 FarthestEdgeAt{ 0, 0, 0 };
 };
 
-DistanceSums MeasureContour(
-  const TriangleTree& tree, const ContourSet& contours, const Contour& contour)
+/// The triangles that have a corner in a place, as nearly every contour vertex is one.
+class CornerTable
 {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
+public:
+  explicit CornerTable(const TriangleMesh& mesh) : First(mesh.Points.size() + 1, 0)
+  {
+    for (const std::array<int, 3>& corners : mesh.Triangles)
+    {
+      for (const int point : corners)
+      {
+        ++this->First[static_cast<std::size_t>(point) + 1];
+      }
+    }
+    std::partial_sum(this->First.begin(), this->First.end(), this->First.begin());
+    this->Triangles.resize(static_cast<std::size_t>(this->First.back()));
+    std::vector<int> next(this->First.begin(), this->First.end() - 1);
+    this->PointAt.reserve(mesh.Points.size());
+    for (std::size_t t = 0; t < mesh.Triangles.size(); ++t)
+    {
+      for (const int point : mesh.Triangles[t])
+      {
+        const auto number = static_cast<std::size_t>(next[static_cast<std::size_t>(point)]++);
+        this->Triangles[number] = static_cast<int>(t);
+        this->PointAt.emplace(mesh.Points[static_cast<std::size_t>(point)], point);
+      }
+    }
+  }
+
+  /// Those of one of the points there.
+  std::vector<int> At(const Point3& place) const
+  {
+    const auto found = this->PointAt.find(place);
+    if (found == this->PointAt.end())
+    {
+      return {};
+    }
+    const auto point = static_cast<std::size_t>(found->second);
+    return { this->Triangles.begin() + this->First[point],
+      this->Triangles.begin() + this->First[point + 1] };
+  }
+
+private:
+  std::vector<int> First; ///< of each point, in Triangles
+  std::vector<int> Triangles;
+  std::unordered_map<Point3, int, PointHash> PointAt;
+};
+
+/// Distance to the mesh, of which some triangles are known to be near.
+double DistanceFrom(const Point3& p, const TriangleTree& tree, const std::vector<int>& near)
+{
+  double best = std::numeric_limits<double>::infinity();
+  for (const int triangle : near)
+  {
+    best = std::min(best, tree.SquaredDistanceToTriangle(p, triangle));
+  }
+  return best > 0 ? std::sqrt(tree.SquaredDistanceTo(p, best)) : 0;
+}
+
+DistanceSums MeasureContour(const TriangleTree& tree, const CornerTable& corners,
+  const ContourSet& contours, const Contour& contour)
+{
   DistanceSums sums;
   for (std::size_t i = 0; i < contour.Points.size(); ++i)
   {
     const Point3& a = contours.Points[contour.Points[i]];
     const Point3& b = contours.Points[contour.Points[(i + 1) % contour.Points.size()]];
-    const double distance = tree.DistanceTo(a, infinity);
+    const std::vector<int> near = corners.At(a);
+    const double distance = DistanceFrom(a, tree, near);
     sums.VertexSum += distance;
     if (distance >= sums.FarthestVertex)
     {
@@ -270,7 +332,7 @@ DistanceSums MeasureContour(
     for (const double t : { 0.25, 0.5, 0.75 })
     {
       const Point3 p = (1 - t) * a + t * b;
-      const double off = tree.DistanceTo(p, infinity);
+      const double off = DistanceFrom(p, tree, near);
       sums.EdgeSum += off * length;
       sums.Length += length;
       if (off >= sums.FarthestEdge)
@@ -325,9 +387,10 @@ std::optional<ContourDistance> MeasureContourDistance(const TriangleMesh& mesh,
   }
   const int count = static_cast<int>(contours.Contours.size());
   std::vector<DistanceSums> sums(count);
+  const CornerTable corners(mesh);
   ParallelFor(count, threads,
-    [&](int c) { sums[c] = MeasureContour(tree, contours, contours.Contours[c]); }, monitor,
-    { 0, 1, "measuring distances" });
+    [&](int c) { sums[c] = MeasureContour(tree, corners, contours, contours.Contours[c]); },
+    monitor, { 0, 1, "measuring distances" });
   ContourDistance result;
   double edgeSum = 0, length = 0;
   Point3 vertexAt{}, edgeAt{};

@@ -29,7 +29,7 @@ Point3 Along(const Point3& a, const Vector3& direction, double t)
 }
 
 /// Inside the prism over the triangle the distance to its plane, elsewhere that to its border.
-double SquaredDistanceToTriangle(const Point3& p, const Point3& a, const Point3& b, const Point3& c)
+double SquaredDistanceToCorners(const Point3& p, const Point3& a, const Point3& b, const Point3& c)
 {
   // Of a corner the answer is 0, not the rounding of its height: contour vertices are corners.
   if (p == a || p == b || p == c)
@@ -156,7 +156,18 @@ void TriangleTree::BuildBoxes(const std::vector<Box3>& boxes)
 
 double TriangleTree::DistanceTo(const Point3& p, double limit) const
 {
-  double best = limit * limit;
+  return std::sqrt(this->SquaredDistanceTo(p, limit * limit));
+}
+
+double TriangleTree::SquaredDistanceToTriangle(const Point3& p, int triangle) const
+{
+  const auto& t = this->Mesh.Triangles[triangle];
+  return SquaredDistanceToCorners(
+    p, this->Mesh.Points[t[0]], this->Mesh.Points[t[1]], this->Mesh.Points[t[2]]);
+}
+
+double TriangleTree::SquaredDistanceTo(const Point3& p, double best) const
+{
   std::pair<double, int> stack[128];
   int size = 0;
   const auto push = [&](double distance, int node)
@@ -191,12 +202,9 @@ double TriangleTree::DistanceTo(const Point3& p, double limit) const
       {
         continue;
       }
-      const auto& t = this->Mesh.Triangles[this->Order[i]];
-      best = std::min(best,
-        SquaredDistanceToTriangle(
-          p, this->Mesh.Points[t[0]], this->Mesh.Points[t[1]], this->Mesh.Points[t[2]]));
+      best = std::min(best, this->SquaredDistanceToTriangle(p, this->Order[i]));
     }
   }
-  return std::sqrt(best);
+  return best;
 }
 }

@@ -57,6 +57,12 @@ public:
   /// Distance from p to the nearest triangle, never more than `limit`; infinite for an empty mesh.
   double DistanceTo(const Point3& p, double limit) const;
 
+  /// The squared distance to the nearest triangle, or `best` where none is nearer: with the square for
+  /// some triangle at hand as best, next to nothing of the tree is looked at where that is small.
+  double SquaredDistanceTo(const Point3& p, double best) const;
+  /// That to one triangle.
+  double SquaredDistanceToTriangle(const Point3& p, int triangle) const;
+
 private:
   /// Call isEnough(i) for triangles whose box meets the given one until it says so; returns whether it did.
   template <typename Test>

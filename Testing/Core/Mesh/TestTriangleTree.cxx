@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <random>
 #include <set>
@@ -159,4 +160,21 @@ TEST(TriangleTree, TrianglesWithoutAreaAreSegmentsAndPoints)
 TEST(TriangleTree, NothingIsInfinitelyFar)
 {
   EXPECT_EQ(TriangleTree(TriangleMesh()).DistanceTo({ 0, 0, 0 }, Infinity), Infinity);
+}
+
+TEST(TriangleTree, ATriangleAtHandDoesNotChangeTheDistance)
+{
+  const TriangleMesh mesh = MakeRandomTriangles(200);
+  const TriangleTree tree(mesh);
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> anywhere(-1, 11);
+  for (int trial = 0; trial < 200; ++trial)
+  {
+    const Point3 p{ anywhere(random), anywhere(random), anywhere(random) };
+    const int hint = static_cast<int>(random() % mesh.Triangles.size());
+    const double squared = tree.SquaredDistanceToTriangle(p, hint);
+    const double distance = tree.DistanceTo(p, Infinity);
+    EXPECT_GE(squared, distance * distance * (1 - 1e-12));
+    EXPECT_EQ(std::sqrt(tree.SquaredDistanceTo(p, squared)), distance);
+  }
 }
