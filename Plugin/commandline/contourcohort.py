@@ -19,7 +19,8 @@ STOPPED = 130  # what a shell says of a program that Ctrl-C has ended
 
 
 def pvpython():
-    return [os.environ.get("CONTOUR_PVPYTHON", "pvpython"), "--force-offscreen-rendering"]
+    # Neither a display nor a server of ranks, whose daemon takes longer to start than a small surface.
+    return [os.environ.get("CONTOUR_PVPYTHON", "pvpython"), "--force-offscreen-rendering", "--no-mpi"]
 
 
 def worker_command():
