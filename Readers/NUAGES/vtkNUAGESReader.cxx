@@ -39,15 +39,15 @@ int vtkNUAGESReader::CanReadFile(const char* fileName)
 int vtkNUAGESReader::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  if (recon::RequestedPiece(outputVector).Number > 0)
-  {
-    return 1; // all is in the first piece
-  }
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   this->SetErrorCode(recon::RunOnFile(this, this->FileName, "a NUAGES file (.cnt)",
     vtkErrorCode::FileFormatError, { output },
     [&]
     {
+      if (recon::RequestedPiece(outputVector).Number > 0)
+      {
+        return; // one object, and the first piece has it
+      }
       vtkContourMonitor monitor(this);
       const recon::ContourFile file = recon::ReadNUAGES(this->FileName, monitor);
       recon::ToPolyData(file.Soup, output);
