@@ -36,6 +36,17 @@ TEST_F(FairSurfaceData, KeepsItsPromises)
   Expect("csl/balloondog.csl", "", -1);
 }
 
+TEST_F(FairSurfaceData, HasNoThinTrianglesWherePointsAreHeldBack)
+{
+  // Fingers side by side: 28 of them had an angle below 5 degrees.
+  const NamedSoup hand = ReadSoups(SharedPath("csl/hand_ok.csl")).front();
+  Monitor monitor;
+  ContourSetOptions reading;
+  reading.Parallel = true;
+  const ContourSet contours = BuildContourSet(hand.second, reading, monitor);
+  EXPECT_EQ(BuildFairSurface(contours, NodeFairOptions(), monitor).Thin, 0u);
+}
+
 TEST_F(FairSurfaceData, KeepsThemWhereContoursFollowPixels)
 {
   Expect("cnt/manytomany.cnt", "", -1);
