@@ -405,8 +405,10 @@ private:
         const bool isKept = std::all_of(place.begin(), place.end(),
           [&](int p)
           {
-            const int piece = this->Pieces.Of[this->Fans[this->FanOf[p]].front()];
-            return before[piece] == after[piece];
+            const std::vector<int>& fan = this->Fans[this->FanOf[p]];
+            // A point of no triangle is of no piece.
+            return fan.empty() ||
+              before[this->Pieces.Of[fan.front()]] == after[this->Pieces.Of[fan.front()]];
           });
         for (const int p : place)
         {

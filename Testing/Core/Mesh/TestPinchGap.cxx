@@ -120,24 +120,44 @@ TEST(PinchGap, MovesNoFurtherThanTheGap)
   EXPECT_EQ(mesh.Triangles, before.Triangles);
 }
 
-TEST(PinchGap, DoesNotTurnAThinPieceInsideOut)
+namespace
 {
-  // A flat piece each of whose corners is the tip of a needle, too; needles have less room, and stay.
-  const std::array<Point3, 4> flat{ Point3{ 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 },
-    { 0.3, 0.3, 1e-4 } };
+constexpr std::array<Point3, 4> Flat{ Point3{ 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 },
+  { 0.3, 0.3, 1e-4 } };
+
+/// A flat piece each of whose corners is the tip of a needle, too; needles have less room, and stay.
+TriangleMesh FlatPieceWithNeedles()
+{
   const std::array<Vector3, 4> away{ Vector3{ -1, -1, -1 }, { 1, -1, -1 }, { -1, 1, -1 },
     { 0, 0, 1 } };
   TriangleMesh mesh;
-  AddTetrahedron(mesh, flat);
+  AddTetrahedron(mesh, Flat);
   for (std::size_t i = 0; i < 4; ++i)
   {
-    const Point3 end = flat[i] + away[i];
+    const Point3 end = Flat[i] + away[i];
     AddTetrahedron(
-      mesh, { flat[i], end, end + Vector3{ 1e-6, 0, 0 }, end + Vector3{ 0, 1e-6, 0 } });
+      mesh, { Flat[i], end, end + Vector3{ 1e-6, 0, 0 }, end + Vector3{ 0, 1e-6, 0 } });
   }
+  return mesh;
+}
+}
+
+TEST(PinchGap, DoesNotTurnAThinPieceInsideOut)
+{
+  TriangleMesh mesh = FlatPieceWithNeedles();
   ASSERT_TRUE(CheckTopology(mesh).Total.Outward);
   Monitor monitor;
   EXPECT_EQ(OpenPinches(mesh, 0.01, { 0, 0, 0 }, monitor).Places, 4u);
+  EXPECT_TRUE(CheckTopology(mesh).Total.Outward);
+  ExpectNoSelfIntersections(mesh);
+}
+
+TEST(PinchGap, APointOfNoTriangleIsOfNoPiece)
+{
+  TriangleMesh mesh = FlatPieceWithNeedles();
+  mesh.Points.push_back(Flat[0]);
+  Monitor monitor;
+  OpenPinches(mesh, 0.01, { 0, 0, 0 }, monitor);
   EXPECT_TRUE(CheckTopology(mesh).Total.Outward);
   ExpectNoSelfIntersections(mesh);
 }
