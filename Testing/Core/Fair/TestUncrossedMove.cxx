@@ -11,6 +11,23 @@
 using namespace recon;
 using namespace recon::testing;
 
+namespace
+{
+/// The unit ball, and behind its points those of a small one beside it.
+TriangleMesh BallWithOneBeside(double radius, double distance)
+{
+  TriangleMesh balls = MakeSphere(24, 12);
+  TriangleMesh small = MakeSphere(8, 4);
+  for (Point3& p : small.Points)
+  {
+    p = radius * p;
+  }
+  Move(small, { distance, 0, 0 });
+  Append(balls, small);
+  return balls;
+}
+}
+
 TEST(UncrossedMove, GoesAllTheWayWhereNothingCrosses)
 {
   const TriangleMesh sphere = MakeSphere(24, 12);
@@ -77,15 +94,8 @@ TEST(UncrossedMove, TurnsNoComponentInsideOut)
 
 TEST(UncrossedMove, PutsNoComponentIntoAnother)
 {
-  TriangleMesh balls = MakeSphere(24, 12);
-  TriangleMesh small = MakeSphere(8, 4);
-  for (Point3& p : small.Points)
-  {
-    p = 0.1 * p;
-  }
-  Move(small, { 1.3, 0, 0 });
-  const std::size_t first = balls.Points.size();
-  Append(balls, small);
+  const std::size_t first = MakeSphere(24, 12).Points.size();
+  const TriangleMesh balls = BallWithOneBeside(0.1, 1.3);
   std::vector<Point3> places = balls.Points;
   for (std::size_t p = first; p < places.size(); ++p)
   {
@@ -100,15 +110,8 @@ TEST(UncrossedMove, PutsNoComponentIntoAnother)
 TEST(UncrossedMove, PassesOverNoComponent)
 {
   // A large ball grows past a small one that stays where it is.
-  TriangleMesh balls = MakeSphere(24, 12);
-  TriangleMesh small = MakeSphere(8, 4);
-  for (Point3& p : small.Points)
-  {
-    p = 0.05 * p;
-  }
-  Move(small, { 1.2, 0, 0 });
-  const std::size_t first = balls.Points.size();
-  Append(balls, small);
+  const std::size_t first = MakeSphere(24, 12).Points.size();
+  const TriangleMesh balls = BallWithOneBeside(0.05, 1.2);
   std::vector<Point3> places = balls.Points;
   for (std::size_t p = 0; p < first; ++p)
   {

@@ -27,6 +27,20 @@ double DistanceBetween(const Point2& p, const Point2& q)
 {
   return std::hypot(p[0] - q[0], p[1] - q[1]);
 }
+
+constexpr double Nowhere = 1e9;
+
+/// @returns where on the line it meets the segment from p to q, or Nowhere
+double PlaceOnLine(const PlanarLine& line, const Point2& p, const Point2& q)
+{
+  // origin + s direction = p + u (q - p)
+  const double dx = line.Direction[0], dy = line.Direction[1];
+  const double ex = q[0] - p[0], ey = q[1] - p[1];
+  const double px = p[0] - line.Origin[0], py = p[1] - line.Origin[1];
+  const double s = (px * ey - py * ex) / (dx * ey - dy * ex);
+  const double u = (px * dy - py * dx) / (dx * ey - dy * ex);
+  return u >= 0 && u <= 1 && s >= line.From && s <= line.To ? s : Nowhere;
+}
 }
 
 TEST(LevelSearch, FindsTheNearestVertex)
@@ -58,7 +72,7 @@ TEST(LevelSearch, FindsTheFirstContourThatALineMeets)
   {
     const PlanarLine line{ { place(random), place(random) }, { place(random), place(random) }, -0.5,
       1.5 };
-    double first = 1e9;
+    double first = Nowhere;
     for (std::size_t t = 0; t < level.Triangles.size(); ++t)
     {
       for (int k = 0; k < 3; ++k)
@@ -69,17 +83,11 @@ TEST(LevelSearch, FindsTheFirstContourThatALineMeets)
         }
         const Point2& p = level.Points[level.Triangles[t][(k + 1) % 3]];
         const Point2& q = level.Points[level.Triangles[t][(k + 2) % 3]];
-        // origin + s direction = p + u (q - p)
-        const double dx = line.Direction[0], dy = line.Direction[1];
-        const double ex = q[0] - p[0], ey = q[1] - p[1];
-        const double px = p[0] - line.Origin[0], py = p[1] - line.Origin[1];
-        const double s = (px * ey - py * ex) / (dx * ey - dy * ex);
-        const double u = (px * dy - py * dx) / (dx * ey - dy * ex);
-        first = u >= 0 && u <= 1 && s >= line.From && s <= line.To ? std::min(first, s) : first;
+        first = std::min(first, PlaceOnLine(line, p, q));
       }
     }
     const auto found = search.FirstContour(line, 1e-10);
-    ASSERT_EQ(found.has_value(), first < 1e9);
+    ASSERT_EQ(found.has_value(), first < Nowhere);
     if (found)
     {
       ++met;
@@ -102,7 +110,7 @@ TEST(LevelSearch, FindsTheFirstEdgeOfTheExternalSkeletonThatALineMeets)
   {
     const PlanarLine line{ { place(random), place(random) }, { place(random), place(random) }, -0.5,
       1.5 };
-    double first = 1e9;
+    double first = Nowhere;
     for (int edge = 0; edge < static_cast<int>(3 * level.Triangles.size()); ++edge)
     {
       const int triangle = edge / 3;
@@ -118,15 +126,10 @@ TEST(LevelSearch, FindsTheFirstEdgeOfTheExternalSkeletonThatALineMeets)
       const Point2 q = neighbour < 0
         ? Point2{ p[0] + 1e3 * (b[1] - a[1]), p[1] - 1e3 * (b[0] - a[0]) }
         : level.VoronoiVertex(neighbour);
-      const double dx = line.Direction[0], dy = line.Direction[1];
-      const double ex = q[0] - p[0], ey = q[1] - p[1];
-      const double px = p[0] - line.Origin[0], py = p[1] - line.Origin[1];
-      const double s = (px * ey - py * ex) / (dx * ey - dy * ex);
-      const double u = (px * dy - py * dx) / (dx * ey - dy * ex);
-      first = u >= 0 && u <= 1 && s >= line.From && s <= line.To ? std::min(first, s) : first;
+      first = std::min(first, PlaceOnLine(line, p, q));
     }
     const auto found = search.FirstExternal(line, 1e-10);
-    ASSERT_EQ(found.has_value(), first < 1e9);
+    ASSERT_EQ(found.has_value(), first < Nowhere);
     if (found)
     {
       ++met;

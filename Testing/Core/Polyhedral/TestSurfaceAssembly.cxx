@@ -2,6 +2,7 @@
 // The surface of a stack, put together from parts, is the boundary of the whole that is looked at at once.
 #include "BoundaryOracle.h"
 #include "DegenerateStacks.h"
+#include "SameSurface.h"
 
 #include "Polyhedral/SolidBoundary.h"
 #include "Polyhedral/SurfaceAssembly.h"
@@ -29,19 +30,6 @@ AssembledSurface Assemble(const ContourSet& contours, const PolyhedralOptions& o
   return assembly.Finish();
 }
 
-void ExpectSame(const PolyhedralSurface& parts, const PolyhedralSurface& whole)
-{
-  EXPECT_EQ(parts.Mesh.Points, whole.Mesh.Points);
-  EXPECT_EQ(parts.Mesh.Triangles, whole.Mesh.Triangles);
-  EXPECT_EQ(parts.Slab, whole.Slab);
-  EXPECT_EQ(parts.FaceKind, whole.FaceKind);
-  EXPECT_EQ(parts.MappingGroup, whole.MappingGroup);
-  EXPECT_EQ(parts.Piece, whole.Piece);
-  EXPECT_EQ(parts.PointKind, whole.PointKind);
-  EXPECT_EQ(parts.EndCapVolume, whole.EndCapVolume);
-  EXPECT_EQ(parts.IsolatedVolume, whole.IsolatedVolume);
-}
-
 /// @returns how many faces had halved edges
 std::size_t ExpectSameFromParts(const ContourSet& contours, const PolyhedralOptions& options)
 {
@@ -62,7 +50,7 @@ std::size_t ExpectSameFromParts(const ContourSet& contours, const PolyhedralOpti
   {
     SCOPED_TRACE(std::to_string(levelsAtATime) + " levels at a time");
     const AssembledSurface parts = Assemble(contours, options, stages, levelsAtATime);
-    ExpectSame(parts.Surface, whole.Surface);
+    ExpectSameSurface(parts.Surface, whole.Surface);
     EXPECT_EQ(parts.IsPointExact, whole.IsPointExact);
   }
   return boundary.Splits.size();
